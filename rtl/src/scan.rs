@@ -7,9 +7,9 @@ use crate::parameter::Screen;
 record! {
     /// The control of the scan, the same for every unit of the chain.
     pub struct ScanControl {
-        /// For one clock: every scan counter takes its preset.
+        /// High for one clock: every scan counter loads its preset.
         restart: bit(),
-        /// The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
+        /// The counters, the read-out and the merging units advance by a pixel; while `enable` is low, they keep their values.
         enable: bit(),
     }
 

@@ -1,9 +1,9 @@
-//! The broadcast bus: brings packets from the host, or from any processor, to all processors (VC1-NET, VC1-APR).
+//! The broadcast bus: carries packets from the host, or from any processor, to all processors (VC1-NET, VC1-APR).
 //!
 //! ```text
 //! senders.0 ========>.-------.                          .--[ queue ]====> received.0
-//! senders.1 ========>|  by   |                          |
-//!    ..              | turns |====>[ word, 6 clocks ]===+--[ queue ]====> received.1
+//! senders.1 ========>| round |                          |
+//!    ..              | robin |====>[ word, 6 clocks ]===+--[ queue ]====> received.1
 //! senders.n-1 ======>|       |            ^             |     ..
 //! senders.n, host ==>'-------'            |             '--[ queue ]====> received.n-1
 //!                                         '--- room in all of them
@@ -12,7 +12,7 @@
 //! # Protocol
 //!
 //! A packet is a sequence of words from one sender; `last` ends it. The bus serves the senders round robin, one packet
-//! at a time, starting behind the sender it served last. So a packet waits for at most n others. While a sender pauses
+//! at a time, starting after the sender it served last. So a packet waits for at most n others. While a sender pauses
 //! within its packet, the bus waits for it.
 //!
 //! A word occupies the bus for `word_clocks` clocks. It then enters the receive queues of all processors at once,
@@ -39,13 +39,13 @@ record! {
     pub struct BusWord {
         /// A word of the packet.
         word: bits(32),
-        /// The last word of a packet.
+        /// The word is the last of its packet.
         last: bit(),
     }
 }
 
 block! {
-    /// Brings packets from the host or any processor to all processors, word by word.
+    /// Carries packets from the host or any processor to all processors, word by word.
     pub struct BroadcastBus {
         /// The number of processors.
         pub processors: u32,
@@ -66,7 +66,7 @@ block! {
         senders: [stream(BusWord); self.processors + 1],
     }
     out(self) BroadcastBusOut {
-        /// All packets, to each processor.
+        /// All packets, for each processor.
         received: [stream(BusWord); self.processors],
         /// No word is on the bus, and every packet that has begun is complete.
         idle: bit(),
@@ -91,7 +91,7 @@ impl BroadcastBus {
         let senders = processors + 1;
         def!(number = constants(below(senders).of(row(senders)), |sender| sender));
 
-        // The sender to serve: within a packet its sender, otherwise the next sender behind the last one.
+        // The sender to serve: within a packet its sender, otherwise the next sender after the last one.
         let offered = stack(i.senders);
         def!(open = m.reg(bit()).reset(0));
         def!(sender = m.reg(below(senders)).reset(processors));
@@ -136,7 +136,7 @@ impl BroadcastBus {
         def!(seen = m.reg(count.of(each)).reset(0));
         seen.when(leaves, seen + 1);
         def!(queued = sent - seen - on_bus.zext(count));
-        m.assert(queued.le(queue), "what was taken and not yet received has room in the queue");
+        m.assert(queued.le(queue), "the words taken and not yet received fit in the queue");
         m.assert(empty.eq(queued.eq(0)), "a processor whose queue is empty has received all that left the bus");
 
         // No word interrupts another packet, and every packet is served.
@@ -144,7 +144,7 @@ impl BroadcastBus {
         m.assert(m.past(takes).implies(open.eq(!word.last)), "a packet is open until its last word");
         def!(others = m.reg(up_to(senders).of(row(senders))).reset(0));
         others.when(taken.taken, 0).when(offered.valid & takes & !open, others + 1);
-        m.assert(others.le(processors), "a packet waits for one packet of each other sender at most");
+        m.assert(others.le(processors), "a packet waits for at most one packet of each other sender");
 
         m.cover("a full queue stalls the bus", arrived & !room);
         m.cover("a sender pauses within its packet", *open & free & !takes);

@@ -34,10 +34,10 @@
 //! | multipass control | starts the `first` pass | not busy |
 //! | multipass control | starts another pass | not busy, and at most 15 times after a `first` one |
 //! | global frame buffer | reads at `address`, and does not swap its banks | busy |
-//! | multipass control | sets the number of passes in the average | before such a picture is shown |
+//! | multipass control | sets the number of passes in the average | before the average is shown |
 //!
-//! If more passes are added than `passes` says, each component of the average is right only modulo 256. If fewer are
-//! added, the picture is dark.
+//! If more passes are added than `passes` says, each component of the average is correct only modulo 256. If fewer are
+//! added, the picture is too dark.
 
 use crate::prelude::*;
 
@@ -89,23 +89,23 @@ block! {
     latency(self) = format!("a pass of {} clocks of the merger; 1 clock of the display to read", self.pass_clocks());
     source = "VC-1, section 3.3, accumulation buffer and MUACC (VC1-ACB)";
     in(self) AccumulationIn {
-        /// For one clock, when not busy: begins a pass.
+        /// High for one clock to begin a pass; only while not busy.
         start: bit().on(MERGE),
-        /// With `start`: the pass is the first, whose colours are stored; those of later passes are added.
+        /// The pass that begins with `start` is the first: its colours are stored. Those of later passes are added.
         first: bit().on(MERGE),
-        /// The word at the address of the last clock: a depth, which is not looked at, above a colour.
+        /// The word at the address of the previous clock: a depth, which is ignored, above a colour.
         word: bits(WORD).on(MERGE),
-        /// The number of passes of the average.
+        /// The number of passes in the average.
         passes: one_of::<Passes>().on(MERGE),
-        /// A pixel to show, in raster order.
+        /// The number of the pixel to show, in raster order.
         read_address: below(self.screen.pixels()).on(self.crt),
     }
     out(self) AccumulationOut {
         /// A pass is under way.
         busy: bit(),
-        /// A pixel of the picture that is added, in raster order.
+        /// The number of the pixel that the pass reads, in raster order.
         address: below(self.screen.pixels()),
-        /// The average at the read address of the last clock: red above green above blue.
+        /// The average at the read address of the previous clock: red above green above blue.
         colour: bits(COMPONENTS * COMPONENT),
     }
 }
@@ -130,7 +130,7 @@ impl Accumulation {
         stores.next(*reads);
         def!(stored = merge.pipe(*address));
         def!(busy = reads | stores);
-        merge.assume(i.start.implies(!busy), "a pass begins when none is under way");
+        merge.assume(i.start.implies(!busy), "a pass begins only while none is under way");
 
         // Even and odd pixels: while one memory is read, the other is written.
         let sum = bits(COMPONENTS * SUM);
@@ -143,7 +143,7 @@ impl Accumulation {
             1 => lit(1, 0),
             width => pixel.slice(1..width),
         };
-        merge.assert(!(reads_here & stores_here), "a memory is not read and written in one clock");
+        merge.assert(!(reads_here & stores_here), "no memory is read and written in the same clock");
         def!(old = sums.on(MERGE).read_when(reads_here, place(pixel)));
 
         // One sum per component.
@@ -157,18 +157,18 @@ impl Accumulation {
         def!(may_follow = merge.reg(below(most)).reset(0));
         may_follow.when(i.start, mux(i.first, most - 1, may_follow - 1));
         let follows = i.start & !i.first;
-        merge.assume(follows.implies(may_follow.ne(0)), "a pass is the first, or one of 15 that follow it");
+        merge.assume(follows.implies(may_follow.ne(0)), "a pass is the first, or one of at most 15 that follow it");
         let passes_so_far = lit(up_to(most), most) - may_follow.zext(up_to(most));
         let greatest = (passes_so_far * ((1 << COMPONENT) - 1)).trunc(SUM);
-        merge.assert(stores.implies(added.le(greatest)), "a sum is not more than the passes so far give");
+        merge.assert(stores.implies(added.le(greatest)), "no sum exceeds the greatest that the passes so far can give");
         merge.cover("a pixel is the sum of 16 passes", stores & may_follow.eq(0));
 
         // The display.
-        let passes = i.passes.quasi_static("the average means something when it has been so for a picture");
+        let passes = i.passes.quasi_static("the number of passes is constant while the average is shown");
         def!(read_odd = crt.pipe(i.read_address.bit(0)));
         def!(read = sums.on(self.crt).read(place(i.read_address)));
         let shown = read.pick(read_odd).unpack(row(COMPONENTS));
-        // The bit below the quotient is the half; it rounds up.
+        // The bit below the quotient has the weight 1/2; adding it rounds.
         let quotient: Signal = passes.choose(|passes: Passes| shown.part(passes.shift() - 1, COMPONENT + 1));
         let average = quotient.part(1, COMPONENT) + quotient.part(0, 1).zext(COMPONENT);
         AccumulationOut { busy, address: *address, colour: average.pack() }

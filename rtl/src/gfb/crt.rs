@@ -9,7 +9,7 @@
 //!   '----------------' H + 45
 //! ```
 //!
-//! Latency: a pixel is put out 1 clock after its address. A refresh takes (W + 160) (H + 45) clocks: for VGA 800 x 525.
+//! Latency: a pixel appears 1 clock after its address. A refresh takes (W + 160) (H + 45) clocks: 800 x 525 for VGA.
 //! The paper gives no timing of its display. Nor does it say in which part of the blanking the banks change;
 //! [`Blanking`] makes that a choice.
 
@@ -73,14 +73,14 @@ block! {
         /// When in the vertical blanking the banks may change.
         pub blanking: Blanking,
     }
-    latency(self) = format!("1 clock; a refresh of {} clocks", self.refresh_clocks());
+    latency(self) = format!("1 clock from an address to its pixel; a refresh of {} clocks", self.refresh_clocks());
     source = "VC-1, section 3.3, display of the global frame buffer (VC1-GFB, VC1-SW2, VC1-59)";
     in CrtReadOutIn {
-        /// The pixel at the address of the last clock.
+        /// The word of the pixel at the address of the previous clock.
         word: bits(WORD),
     }
     out(self) CrtReadOutOut {
-        /// The pixel to read, in raster order.
+        /// The number of the pixel to read, in raster order.
         address: below(self.screen.pixels()),
         /// The outputs to the display.
         pixel: pub struct CrtPixel {
@@ -97,7 +97,7 @@ block! {
 }
 
 impl CrtReadOut {
-    /// The clocks of a line, including the blanking behind it.
+    /// The clocks of a line, including the blanking after it.
     pub fn line_clocks(&self) -> u64 {
         u64::from(self.screen.width + BLANK_COLUMNS)
     }
@@ -186,7 +186,7 @@ mod tests {
         }
     }
 
-    /// In the middle of a line, and in the blanking.
+    /// Resets in the middle of a line, and in the blanking.
     #[test]
     fn a_reset_begins_with_a_blanking() {
         let mut sim = Simulation::of(&read_out(4, 2, Blanking::AtStart)).unwrap().seeded(3);

@@ -9,8 +9,8 @@
 //! Latency: a sum starts in the clock of the swap that puts its pass on display. The average is shown 1 clock after the
 //! first clock in which the last sum is complete and the display is in a blanking.
 //!
-//! At the swap to a first pass, the host says whether a picture begins and how many passes it has. Later settings apply
-//! to the next picture. Without accumulation a swap shows a frame, and nothing is added.
+//! The host's settings at the swap to a first pass decide whether a picture begins and how many passes it has. Later
+//! settings apply to the next picture. Without accumulation a swap shows a frame, and nothing is added.
 //!
 //! The banks may not change while a sum runs. After the last sum they may not change before the average has been on
 //! display for a whole refresh. That refresh runs from the blanking in which the average appears to the next blanking.
@@ -66,21 +66,21 @@ block! {
     latency = "0 clocks from a swap to its sum; 1 clock from the blanking to the average";
     source = "VC-1, section 3.3, accumulation buffer (VC1-ACB)";
     in MultipassControlIn {
-        /// For one clock: the banks are exchanged.
+        /// High for one clock when the banks are exchanged.
         swap: bit(),
         /// The settings from the host.
         host: Multipass,
         /// A sum is under way.
         busy: bit(),
-        /// The display is in the part of its blanking in which it may show something else.
+        /// The display is in the part of its blanking in which its source may change.
         blanking: bit(),
     }
     out MultipassControlOut {
-        /// For one clock: a sum starts.
+        /// High for one clock when a sum starts.
         start: bit(),
-        /// With `start`: the sum is of the first pass of a picture.
+        /// The sum that begins with `start` is that of the first pass of a picture.
         first: bit(),
-        /// The number of passes of the picture that is made or shown: a code of [`Passes`].
+        /// The number of passes of the picture being made or shown: a code of [`Passes`].
         passes: one_of::<Passes>(),
         /// The average is shown.
         averages: bit(),
@@ -117,14 +117,14 @@ impl MultipassControl {
         m.assume(i.swap.implies(!i.busy), "the banks do not change while a sum is under way");
         m.assume(
             i.swap.implies(!stage.is(LastSum) & !stage.is(Turn)),
-            "the banks do not change before the average was shown for a whole refresh",
+            "the banks do not change before the average has been shown for a whole refresh",
         );
         m.assert(
             averages.eq(stage.is(Turn) | stage.is(Average)),
             "the average is shown when the sum of all passes is complete",
         );
         m.assert(averages.implies(!i.busy), "no sum is under way while its average is shown");
-        m.cover("a picture begins while the average of the one before is shown", start & averages);
+        m.cover("a picture begins while the average of the previous one is shown", start & averages);
         m.cover("a frame without accumulation follows an average", i.swap & !start & averages);
         m.cover("a last sum waits for the blanking", summed & !i.blanking);
         m.cover("a blanking passes while a sum is under way", i.blanking & i.busy);

@@ -1,4 +1,4 @@
-//! The sequencer of the merger: leads the scan without a pause, line by line, and says which pixels enter and leave the chain (VC1-TM).
+//! The sequencer of the merger: runs the scan without a pause, line by line, and tells which pixels enter and leave the chain (VC1-TM).
 //!
 //! ```text
 //! restart --> Prime --> Line --> Overhead
@@ -17,7 +17,7 @@
 //! ```
 //!
 //! A restart returns the scan to the first pixel. It comes after a reset, and when the global frame buffer swaps. In
-//! the 2 clocks before that pixel enters the chain, the frame buffers read theirs ([`SCAN_LATENCY`]). Pixels in the
+//! the 2 clocks before that pixel enters the chain, the frame buffers read their pixels ([`SCAN_LATENCY`]). Pixels in the
 //! chain at the restart are `stale`: they entered before the swap and are not stored. In the round after a restart
 //! blank pixels enter the chain; in later rounds the old contents do (VC1-CLR3).
 
@@ -33,7 +33,7 @@ codes! {
 }
 
 block! {
-    /// Scans the screen again and again, and paces a chain of merging units.
+    /// Scans the screen continuously, and paces a chain of merging units.
     pub struct GfbSequencer {
         /// The screen: M x N pixels.
         pub screen: Screen,
@@ -46,27 +46,27 @@ block! {
     latency(self) = format!("rounds with a period of {} clocks", self.period());
     source = "VC-1, section 3.3, T_m and the free-running scan (VC1-TM, VC1-FREE, VC1-CLR3)";
     in GfbSequencerIn {
-        /// For one clock: the scan begins again with the first pixel.
+        /// High for one clock to restart the scan at the first pixel.
         restart: bit(),
     }
     out(self) GfbSequencerOut {
-        /// To every unit of the chain.
+        /// The control of the scan, for every unit of the chain.
         scan: ScanControl,
-        /// The pixel to read, which enters the chain [`SCAN_LATENCY`] clocks with `enable` later.
+        /// The number of the pixel to read. The pixel enters the chain [`SCAN_LATENCY`] clocks with `enable` later.
         feed: below(self.screen.pixels()),
         /// A blank pixel enters the chain in place of the pixel that is read.
         blank: bit(),
-        /// A pixel leaves the chain that entered it after the last restart.
+        /// A pixel that entered the chain after the last restart leaves it.
         stores: bit(),
-        /// A pixel leaves the chain that entered it before the last restart.
+        /// A pixel that entered the chain before the last restart leaves it.
         stale: bit(),
-        /// The pixel that is stored.
+        /// The number of the pixel that is stored, in raster order.
         store: below(self.screen.pixels()),
     }
 }
 
 impl GfbSequencer {
-    /// The clocks from a round to the next: (M + beta) N.
+    /// The clocks from one round to the next: (M + beta) N.
     pub fn period(&self) -> u64 {
         u64::from(self.screen.width + self.overhead) * u64::from(self.screen.height)
     }

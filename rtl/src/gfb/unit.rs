@@ -21,8 +21,8 @@
 //!
 //! One bank is filled while the other is on display. `swap` exchanges them and restarts the scan. In the round after a
 //! swap blank pixels enter the chain, so the bank's old contents are replaced. In later rounds the old contents
-//! themselves enter, so the bank is cumulative (VC1-CLR3). The chain chooses the nearer pixel, so the unit stores its
-//! output as it is.
+//! themselves enter, so the bank is cumulative (VC1-CLR3). The chain chooses the nearer pixel, so the unit stores the
+//! chain's output unchanged.
 //!
 //! A pixel that entered the chain before a swap is not stored after it. Nothing is lost: the frame was already stored,
 //! so the bank already has that pixel's word. An assertion checks this.
@@ -66,15 +66,15 @@ record! {
         accesses: stream(Access::widths(screen)),
         /// The word of a blank pixel: the greatest depth above the background's colour.
         background: bits(WORD),
-        /// The kind of picture, where there is an accumulation buffer.
+        /// The settings for pictures of several passes, if there is an accumulation buffer.
         multipass: [Multipass; accumulation],
     }
 
     /// An access of the host to the bank on display.
     pub struct Access(screen: Screen) {
-        /// The pixel that the host accesses, in raster order.
+        /// The number of the pixel that the host accesses, in raster order.
         address: below(screen.pixels()),
-        /// The host writes the pixel; where it is low it reads the pixel.
+        /// High if the host writes the pixel, low if it reads the pixel.
         writes: bit(),
         /// The word that the host writes: depth above colour.
         word: bits(WORD),
@@ -84,7 +84,7 @@ record! {
     struct Adding(screen: Screen) {
         /// A sum is under way.
         busy: bit(),
-        /// The pixel of the bank on display that the sum needs.
+        /// The number of the pixel of the bank on display that the sum needs.
         address: below(screen.pixels()),
     }
 }
@@ -105,14 +105,14 @@ block! {
         pub display: Display,
     }
     ranges(self) {
-        /// The chain and the way into it are shorter than the screen: a pixel is stored before it is fed again.
+        /// The chain and the path into it are shorter than the screen, so that a pixel is stored before it is fed again.
         units: 1..=(self.screen.pixels().saturating_sub(3)) / crate::merger::STAGES,
         overhead: 1..,
     }
     latency(self) = format!("rounds with a period of {} clocks", self.sequencer().period());
     source = "VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-FREE, VC1-CLR3)";
     in(self) GfbUnitIn {
-        /// For one clock: swap the banks.
+        /// High for one clock to swap the banks.
         swap: bit().on(MERGE),
         /// The inputs from the host.
         host: Host::widths(self.screen, self.accumulation).on(MERGE),
@@ -122,20 +122,20 @@ block! {
     out(self) GfbUnitOut {
         /// The outputs to the host.
         view: pub struct View {
-            /// The access of the last clock was a read.
+            /// The access of the previous clock was a read.
             read_valid: bit(),
-            /// The pixel that the last read asked for.
+            /// The word of the pixel that was read last.
             read_word: bits(WORD),
             /// Blank pixels enter the chain: the round is the first since the banks were swapped.
             first_round: bit(),
         },
-        /// To every unit of the chain.
+        /// The control of the scan, for every unit of the chain.
         scan: ScanControl,
         /// The pixel to the left end of the chain.
         left: bits(WORD),
         /// The banks may change: the display is in its vertical blanking.
         blanking: bit(),
-        /// To the display.
+        /// The pixel to the display.
         pixel: CrtPixel { valid: bit(), rgb: bits(24) },
     }
 }
@@ -146,12 +146,12 @@ impl GfbUnit {
         GfbSequencer { screen: self.screen, units: self.units, overhead: self.overhead }
     }
 
-    /// The read-out to its display.
+    /// The read-out to the display.
     pub fn read_out(&self) -> CrtReadOut {
         CrtReadOut { screen: self.screen, blanking: self.display.blanking }
     }
 
-    /// Its accumulation buffer, if it has one.
+    /// The accumulation buffer, which exists only if `accumulation` is true.
     pub fn sums(&self) -> Accumulation {
         Accumulation { screen: self.screen, crt: self.display.clock() }
     }
@@ -182,7 +182,7 @@ impl GfbUnit {
         def!(read_words = banks.on(MERGE).read_when(reads & !is_filled, access.address));
         def!(read_valid = merge.reg(bit()).reset(0));
         read_valid.next(reads);
-        merge.cover("the host reads right behind a write", reads & merge.past(writes));
+        merge.cover("the host reads in the clock after a write", reads & merge.past(writes));
         merge.cover("the host writes in the clock of a swap", writes & i.swap);
         merge.assert(
             merge.past(i.swap).implies(sequencer.blank),
@@ -226,7 +226,7 @@ impl GfbUnit {
         GfbUnitOut { view, scan: sequencer.scan, left, blanking, pixel: read_out.pixel }
     }
 
-    /// Asserts that whatever entered the chain before the swap leaves it unchanged.
+    /// Asserts that a pixel that entered the chain before the swap leaves it unchanged.
     fn state_what_is_stale(&self, m: Module, (round, swap): (&GfbSequencerOut, Signal), left: Signal, merged: Signal) {
         let (merge, chain) = (m.on(MERGE), self.sequencer().chain());
         def!(entered = m.memory(chain, WORD, ReadUnderWrite::Any));
@@ -241,7 +241,7 @@ impl GfbUnit {
         def!(entered_word = entered.read_async(place));
         merge.assert(
             (round.stale & was_full).implies(merged.eq(entered_word)),
-            "a pixel that entered the chain before a swap is the word that its bank has",
+            "a pixel that entered the chain before a swap equals the word in its bank",
         );
     }
 

@@ -6,23 +6,24 @@
 // Latency     a pass of 129 clocks of the merger; 1 clock of the display to read
 // Source      VC-1, section 3.3, accumulation buffer and MUACC (VC1-ACB)
 // Described   rtl/src/gfb/accumulation.rs:81
-// Stable      passes: the average means something when it has been so for a picture (rtl/src/gfb/accumulation.rs:167)
+// Stable      passes: the number of passes is constant while the average is shown (rtl/src/gfb/accumulation.rs:167)
 `default_nettype none
 
 module accumulation_width16_height8_crt (
     input  wire        merge_clk,
     input  wire        merge_rst,
     input  wire        crt_clk,
-    input  wire        start,        // For one clock, when not busy: begins a pass.
-    // With `start`: the pass is the first, whose colours are stored; those of later passes are added.
+    input  wire        start,        // High for one clock to begin a pass; only while not busy.
+    // The pass that begins with `start` is the first: its colours are stored. Those of later passes are added.
     input  wire        first,
-    // The word at the address of the last clock: a depth, which is not looked at, above a colour.
+    // The word at the address of the previous clock: a depth, which is ignored, above a colour.
     input  wire [47:0] word,
-    input  wire [1:0]  passes,       // The number of passes of the average.
-    input  wire [6:0]  read_address, // A pixel to show, in raster order.
+    input  wire [1:0]  passes,       // The number of passes in the average.
+    input  wire [6:0]  read_address, // The number of the pixel to show, in raster order.
     output wire        busy,         // A pass is under way.
-    output reg  [6:0]  address,      // A pixel of the picture that is added, in raster order.
-    output wire [23:0] colour        // The average at the read address of the last clock: red above green above blue.
+    output reg  [6:0]  address,      // The number of the pixel that the pass reads, in raster order.
+    // The average at the read address of the previous clock: red above green above blue.
+    output wire [23:0] colour
 );
 
     localparam [1:0] PASSES_TWO   = 2'd0;
@@ -78,7 +79,7 @@ module accumulation_width16_height8_crt (
             `else
             always @(posedge merge_clk) begin
                 if (!merge_rst && (reads_here & stores_here)) begin          // rtl/src/gfb/accumulation.rs:146
-                    $display("FAIL: time %0t: %m: a memory is not read and written in one clock", $time);
+                    $display("FAIL: time %0t: %m: no memory is read and written in the same clock", $time);
                     stop;
                 end
             end
@@ -99,7 +100,7 @@ module accumulation_width16_height8_crt (
             `else
             always @(posedge merge_clk) begin
                 if (!merge_rst && !(!stores | (added <= asserted_product[11:0]))) begin // rtl/src/gfb/accumulation.rs:163
-                    $display("FAIL: time %0t: %m: a sum is not more than the passes so far give", $time);
+                    $display("FAIL: time %0t: %m: no sum exceeds the greatest that the passes so far can give", $time);
                     stop;
                 end
             end
@@ -205,11 +206,11 @@ module accumulation_width16_height8_crt (
     initial is_covered = 1'b0;
     always @(posedge merge_clk) begin
         if (!merge_rst && !(!start | !busy)) begin                   // rtl/src/gfb/accumulation.rs:133
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pass begins when none is under way", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pass begins only while none is under way", $time);
             stop;
         end
         if (!merge_rst && !(!(start & !first) | (may_follow != 4'd0))) begin // rtl/src/gfb/accumulation.rs:160
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pass is the first, or one of 15 that follow it", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pass is the first, or one of at most 15 that follow it", $time);
             stop;
         end
         if (!merge_rst && (stores & (may_follow == 4'd0)) && !is_covered) begin // rtl/src/gfb/accumulation.rs:164

@@ -1,6 +1,6 @@
 // broadcast_bus_processors2_queue4_word_clocks6
 //
-// Brings packets from the host or any processor to all processors, word by word.
+// Carries packets from the host or any processor to all processors, word by word.
 //
 // Parameters  BroadcastBus { processors: 2, queue: 4, word_clocks: 6 }
 // Latency     a word every 6 clocks, shown 1 clock later
@@ -14,7 +14,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     // The packets of each processor, then those of the host.
     input  wire        senders_0_valid,
     input  wire [31:0] senders_0_word,   // A word of the packet.
-    input  wire        senders_0_last,   // The last word of a packet.
+    input  wire        senders_0_last,   // The word is the last of its packet.
     input  wire        senders_1_valid,
     input  wire [31:0] senders_1_word,
     input  wire        senders_1_last,
@@ -23,10 +23,10 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     input  wire        senders_2_last,
     input  wire        received_0_ready,
     input  wire        received_1_ready,
-    // All packets, to each processor.
+    // All packets, for each processor.
     output wire        received_0_valid,
     output wire [31:0] received_0_word,  // A word of the packet.
-    output wire        received_0_last,  // The last word of a packet.
+    output wire        received_0_last,  // The word is the last of its packet.
     output wire        received_1_valid,
     output wire [31:0] received_1_word,
     output wire        received_1_last,
@@ -102,7 +102,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
                     stop;
                 end
                 if (!rst && !(others <= 2'd2)) begin                         // rtl/src/bus/broadcast_bus.rs:147
-                    $display("FAIL: time %0t: %m: a packet waits for one packet of each other sender at most", $time);
+                    $display("FAIL: time %0t: %m: a packet waits for at most one packet of each other sender", $time);
                     stop;
                 end
             end
@@ -161,7 +161,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
             `else
             always @(posedge clk) begin
                 if (!rst && !(queued <= 3'd4)) begin                         // rtl/src/bus/broadcast_bus.rs:139
-                    $display("FAIL: time %0t: %m: what was taken and not yet received has room in the queue", $time);
+                    $display("FAIL: time %0t: %m: the words taken and not yet received fit in the queue", $time);
                     stop;
                 end
                 if (!rst && !(empty_lane == (queued == 3'd0))) begin         // rtl/src/bus/broadcast_bus.rs:140

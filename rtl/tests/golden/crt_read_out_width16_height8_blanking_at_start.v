@@ -3,7 +3,7 @@
 // Reads the bank on display, refresh after refresh.
 //
 // Parameters  CrtReadOut { screen: Screen { width: 16, height: 8 }, blanking: AtStart }
-// Latency     0 clocks; 1 clock; a refresh of 9328 clocks
+// Latency     0 clocks; 1 clock from an address to its pixel; a refresh of 9328 clocks
 // Source      VC-1, section 3.3, display of the global frame buffer (VC1-GFB, VC1-SW2, VC1-59)
 // Described   rtl/src/gfb/crt.rs:68
 `default_nettype none
@@ -11,8 +11,8 @@
 module crt_read_out_width16_height8_blanking_at_start (
     input  wire        clk,
     input  wire        rst,
-    input  wire [47:0] word,        // The pixel at the address of the last clock.
-    output reg  [6:0]  address,     // The pixel to read, in raster order.
+    input  wire [47:0] word,        // The word of the pixel at the address of the previous clock.
+    output reg  [6:0]  address,     // The number of the pixel to read, in raster order.
     // The outputs to the display.
     output wire        pixel_valid, // The display gets a pixel in this clock.
     output wire [23:0] pixel_rgb,   // The colour of the pixel.

@@ -1,6 +1,6 @@
 // gfb_sequencer_width16_height8_units4_overhead20
 //
-// Scans the screen again and again, and paces a chain of merging units.
+// Scans the screen continuously, and paces a chain of merging units.
 //
 // Parameters  GfbSequencer { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
 // Latency     rounds with a period of 288 clocks
@@ -11,17 +11,18 @@
 module gfb_sequencer_width16_height8_units4_overhead20 (
     input  wire       clk,
     input  wire       rst,
-    input  wire       restart,      // For one clock: the scan begins again with the first pixel.
-    // To every unit of the chain.
-    output wire       scan_restart, // For one clock: every scan counter takes its preset.
-    // The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
+    input  wire       restart,      // High for one clock to restart the scan at the first pixel.
+    // The control of the scan, for every unit of the chain.
+    output wire       scan_restart, // High for one clock: every scan counter loads its preset.
+    // The counters, the read-out and the merging units advance by a pixel; while `enable` is low, they keep their
+    // values.
     output wire       scan_enable,
-    // The pixel to read, which enters the chain `SCAN_LATENCY` clocks with `enable` later.
+    // The number of the pixel to read. The pixel enters the chain `SCAN_LATENCY` clocks with `enable` later.
     output reg  [6:0] feed,
     output reg        blank,        // A blank pixel enters the chain in place of the pixel that is read.
-    output wire       stores,       // A pixel leaves the chain that entered it after the last restart.
-    output wire       stale,        // A pixel leaves the chain that entered it before the last restart.
-    output reg  [6:0] store         // The pixel that is stored.
+    output wire       stores,       // A pixel that entered the chain after the last restart leaves it.
+    output wire       stale,        // A pixel that entered the chain before the last restart leaves it.
+    output reg  [6:0] store         // The number of the pixel that is stored, in raster order.
 );
 
     localparam [1:0] SCAN_RESTART_2 = 2'd0;

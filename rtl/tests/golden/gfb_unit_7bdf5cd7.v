@@ -14,31 +14,32 @@ module gfb_unit_7bdf5cd7 (
     input  wire        merge_rst,
     input  wire        crt_clk,
     input  wire        crt_rst,
-    input  wire        swap,                         // For one clock: swap the banks.
+    input  wire        swap,                         // High for one clock to swap the banks.
     // The inputs from the host.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
-    input  wire [6:0]  host_accesses_address,        // The pixel that the host accesses, in raster order.
-    input  wire        host_accesses_writes,         // The host writes the pixel; where it is low it reads the pixel.
+    input  wire [6:0]  host_accesses_address,        // The number of the pixel that the host accesses, in raster order.
+    input  wire        host_accesses_writes,         // High if the host writes the pixel, low if it reads the pixel.
     input  wire [47:0] host_accesses_word,           // The word that the host writes: depth above colour.
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] host_background,
-    // The kind of picture, where there is an accumulation buffer.
+    // The settings for pictures of several passes, if there is an accumulation buffer.
     input  wire        host_multipass_0_accumulates, // The next picture is the average of several passes.
     input  wire [1:0]  host_multipass_0_passes,      // The number of passes of the next picture: a code of `Passes`.
     input  wire [47:0] merged,                       // The pixel from the right end of the chain.
     // The outputs to the host.
-    output wire        view_read_valid,              // The access of the last clock was a read.
-    output wire [47:0] view_read_word,               // The pixel that the last read asked for.
+    output wire        view_read_valid,              // The access of the previous clock was a read.
+    output wire [47:0] view_read_word,               // The word of the pixel that was read last.
     // Blank pixels enter the chain: the round is the first since the banks were swapped.
     output wire        view_first_round,
-    // To every unit of the chain.
-    output wire        scan_restart,                 // For one clock: every scan counter takes its preset.
-    // The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
+    // The control of the scan, for every unit of the chain.
+    output wire        scan_restart,                 // High for one clock: every scan counter loads its preset.
+    // The counters, the read-out and the merging units advance by a pixel; while `enable` is low, they keep their
+    // values.
     output wire        scan_enable,
     output reg  [47:0] left,                         // The pixel to the left end of the chain.
     output wire        blanking,                     // The banks may change: the display is in its vertical blanking.
-    // To the display.
+    // The pixel to the display.
     output wire        pixel_valid,                  // The display gets a pixel in this clock.
     output wire [23:0] pixel_rgb,                    // The colour of the pixel.
     output wire        host_accesses_ready
@@ -325,7 +326,7 @@ module gfb_unit_7bdf5cd7 (
     always @(posedge merge_clk) begin
         if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:185
             `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: the host reads right behind a write", $time);
+            $display("COVER: time %0t: %m: the host reads in the clock after a write", $time);
             `endif
             is_covered <= 1'b1;
         end
@@ -340,7 +341,7 @@ module gfb_unit_7bdf5cd7 (
             stop;
         end
         if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:242
-            $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap is the word that its bank has", $time);
+            $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap equals the word in its bank", $time);
             stop;
         end
     end

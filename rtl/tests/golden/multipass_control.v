@@ -11,17 +11,15 @@
 module multipass_control (
     input  wire       clk,
     input  wire       rst,
-    input  wire       swap,             // For one clock: the banks are exchanged.
+    input  wire       swap,             // High for one clock when the banks are exchanged.
     // The settings from the host.
     input  wire       host_accumulates, // The next picture is the average of several passes.
     input  wire [1:0] host_passes,      // The number of passes of the next picture: a code of `Passes`.
     input  wire       busy,             // A sum is under way.
-    // The display is in the part of its blanking in which it may show something else.
-    input  wire       blanking,
-    output wire       start,            // For one clock: a sum starts.
-    output wire       first,            // With `start`: the sum is of the first pass of a picture.
-    // The number of passes of the picture that is made or shown: a code of `Passes`.
-    output reg  [1:0] passes,
+    input  wire       blanking,         // The display is in the part of its blanking in which its source may change.
+    output wire       start,            // High for one clock when a sum starts.
+    output wire       first,            // The sum that begins with `start` is that of the first pass of a picture.
+    output reg  [1:0] passes,           // The number of passes of the picture being made or shown: a code of `Passes`.
     output reg        averages,         // The average is shown.
     output wire       may_swap          // The banks may change.
 );
@@ -119,7 +117,7 @@ module multipass_control (
             stop;
         end
         if (!rst && !(!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN)))) begin // rtl/src/gfb/multipass.rs:118
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks do not change before the average was shown for a whole refresh", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks do not change before the average has been shown for a whole refresh", $time);
             stop;
         end
         if (!rst && !(averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE)))) begin // rtl/src/gfb/multipass.rs:122
@@ -132,7 +130,7 @@ module multipass_control (
         end
         if (!rst && (start & averages) && !is_covered) begin         // rtl/src/gfb/multipass.rs:127
             `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: a picture begins while the average of the one before is shown", $time);
+            $display("COVER: time %0t: %m: a picture begins while the average of the previous one is shown", $time);
             `endif
             is_covered <= 1'b1;
         end

@@ -28,8 +28,8 @@ module vc1_243f8525 (
     // A word for the bus.
     input  wire        processors_0_sends_valid,
     input  wire [31:0] processors_0_sends_word,     // A word of the packet.
-    input  wire        processors_0_sends_last,     // The last word of a packet.
-    input  wire        processors_0_done,           // The processor has drawn its frame.
+    input  wire        processors_0_sends_last,     // The word is the last of its packet.
+    input  wire        processors_0_done,           // The processor's frame is drawn.
     input  wire        processors_1_request_valid,
     input  wire [3:0]  processors_1_request_x,
     input  wire [2:0]  processors_1_request_y,
@@ -43,26 +43,26 @@ module vc1_243f8525 (
     // A word of the host for the bus.
     input  wire        command_valid,
     input  wire [31:0] command_word,                // A word of the packet.
-    input  wire        command_last,                // The last word of a packet.
+    input  wire        command_last,                // The word is the last of its packet.
     input  wire        ready,                       // The host releases the sync line.
     // The inputs from the host.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
-    input  wire [6:0]  host_accesses_address,       // The pixel that the host accesses, in raster order.
-    input  wire        host_accesses_writes,        // The host writes the pixel; where it is low it reads the pixel.
+    input  wire [6:0]  host_accesses_address,       // The number of the pixel that the host accesses, in raster order.
+    input  wire        host_accesses_writes,        // High if the host writes the pixel, low if it reads the pixel.
     input  wire [47:0] host_accesses_word,          // The word that the host writes: depth above colour.
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] host_background,
     input  wire        processors_0_received_ready,
     input  wire        processors_1_received_ready,
-    // The outputs to each processor.
+    // To each processor.
     output wire [1:0]  processors_0_state,          // What the processor may do: a code of `SwapState`.
-    output wire [2:0]  processors_0_pages_used,     // The number of pages taken.
-    output wire        processors_0_idle,           // No request of the processor is under way.
+    output wire [2:0]  processors_0_pages_used,     // How many pages are taken.
+    output wire        processors_0_idle,           // Nothing of the processor is under way.
     // The word at the front of the processor's queue.
     output wire        processors_0_received_valid,
     output wire [31:0] processors_0_received_word,  // A word of the packet.
-    output wire        processors_0_received_last,  // The last word of a packet.
+    output wire        processors_0_received_last,  // The word is the last of its packet.
     output wire [1:0]  processors_1_state,
     output wire [2:0]  processors_1_pages_used,
     output wire        processors_1_idle,
@@ -70,15 +70,15 @@ module vc1_243f8525 (
     output wire [31:0] processors_1_received_word,
     output wire        processors_1_received_last,
     output wire        line,                        // The sync line: all processors have drawn the frame.
-    // The outputs to the host.
-    output wire        view_read_valid,             // The access of the last clock was a read.
-    output wire [47:0] view_read_word,              // The pixel that the last read asked for.
+    // To the host.
+    output wire        view_read_valid,             // The access of the previous clock was a read.
+    output wire [47:0] view_read_word,              // The word of the pixel that was read last.
     // Blank pixels enter the chain: the round is the first since the banks were swapped.
     output wire        view_first_round,
     // A frame is stored in the global frame buffer, and waits for the blanking.
     output wire        is_merged,
     output wire        shown,                       // Toggles with each swap of the global frame buffer.
-    // The output to the display.
+    // To the display.
     output wire        pixel_valid,                 // The display gets a pixel in this clock.
     output wire [23:0] pixel_rgb,                   // The colour of the pixel.
     output wire        processors_0_request_ready,

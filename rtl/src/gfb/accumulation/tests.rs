@@ -19,7 +19,7 @@ fn accumulation(width: u32, height: u32) -> Sim {
 fn clock(sim: &mut Sim, picture: &[u64]) {
     let asked = sim.get_u64(sim.o.address) as usize;
     sim.step_clock(MERGE, 1);
-    // A depth that must not show.
+    // A depth, which must not affect the sum.
     sim.set(sim.i.word, 0xabcdef << 24 | picture[asked]);
 }
 
@@ -144,7 +144,7 @@ fn a_first_pass_replaces_what_was_there() {
     assert_eq!(shown(&mut sim, Passes::Two, 4), [0x112233; 4]);
 }
 
-/// The assertion that stops the simulation when a pass is started.
+/// The assertion that stops the simulation when a pass is started, if any.
 fn problem(sim: &mut Sim, first: bool) -> Option<String> {
     sim.set(sim.i.start, 1);
     sim.set(sim.i.first, first);
@@ -163,13 +163,13 @@ fn a_pass_at_the_wrong_time_is_an_error() {
         sim.step_clock(MERGE, clocks);
         let problem = problem(&mut sim, true);
         assert_eq!(problem.is_some(), is_error, "after {clocks} clocks: {problem:?}");
-        assert!(problem.is_none_or(|text| text.contains("a pass begins when none is under way")), "{clocks}");
+        assert!(problem.is_none_or(|text| text.contains("a pass begins only while none is under way")), "{clocks}");
     }
 }
 
 #[test]
 fn a_pass_without_a_first_one_or_a_17th_is_an_error() {
-    let sentence = "a pass is the first, or one of 15 that follow it";
+    let sentence = "a pass is the first, or one of at most 15 that follow it";
     assert!(problem(&mut accumulation(2, 1), false).is_some_and(|text| text.contains(sentence)));
     for (passes, before) in [(1, 0), (15, 0), (16, 0), (15, 9), (16, 9), (16, 16)] {
         let mut sim = accumulation(2, 1);

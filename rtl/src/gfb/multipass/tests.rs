@@ -70,7 +70,7 @@ fn a_picture_of_two_passes_and_the_next_one_clock_by_clock() {
         ",
     );
     let mut covered = |what| sim.covered(what).unwrap();
-    assert_eq!(covered("a picture begins while the average of the one before is shown"), 1);
+    assert_eq!(covered("a picture begins while the average of the previous one is shown"), 1);
     assert_eq!(covered("a last sum waits for the blanking"), 1);
     assert_eq!(covered("a blanking passes while a sum is under way"), 3);
     assert_eq!(covered("a frame without accumulation follows an average"), 0);
@@ -104,7 +104,7 @@ fn problem(sim: &mut Sim, inputs: [u64; 3]) -> String {
 #[test]
 fn a_swap_at_the_wrong_time_is_an_error() {
     let under_way = "the banks do not change while a sum is under way";
-    let too_soon = "the banks do not change before the average was shown for a whole refresh";
+    let too_soon = "the banks do not change before the average has been shown for a whole refresh";
     // The number of passes of the picture, and what is wrong with a swap in a clock after the last pass.
     let after = [([0, 1, 1], under_way), ([0, 0, 0], too_soon), ([0, 0, 1], too_soon), ([0, 0, 1], too_soon)];
     for clocks in 0..=after.len() {
@@ -170,7 +170,7 @@ proptest! {
     /// Sums and blankings of any length; swaps as early as allowed, or later; a host whose settings change in each
     /// clock.
     #[test]
-    fn the_control_goes_by_its_rules(
+    fn the_control_follows_its_rules(
         clocks in prop::collection::vec((prop::bool::weighted(0.7), prop::bool::weighted(0.8), 0..4u64), 400),
         sums in prop::collection::vec(1..12u32, 8),
         blankings in prop::collection::vec((1..9usize, 1..6usize), 1..6),

@@ -56,8 +56,8 @@ fn the_scan_clock_by_clock() {
     );
 }
 
-/// Two measurements after a restart: the clocks from the first pixel that enters the chain to the last pixel stored,
-/// and those between the first pixels of successive rounds.
+/// Two measurements after a restart: the clocks from the first pixel that enters to the last one stored, and those
+/// between the first pixels of successive rounds.
 fn measured(screen: Screen, units: u32, overhead: u32) -> (u64, Vec<u64>) {
     let sequencer = GfbSequencer { screen, units, overhead };
     let mut sim = Simulation::of(&sequencer).unwrap();

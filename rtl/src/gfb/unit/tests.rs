@@ -17,7 +17,7 @@ type Accesses = Vec<Option<(usize, Option<u64>)>>;
 
 /// A host that accesses the unit while frames are made, and the expected contents of the bank on display.
 struct HostModel {
-    /// Repeated without end.
+    /// The accesses are repeated without end.
     accesses: Accesses,
     next: usize,
     /// Nothing is known about a pixel before it is written or the first frame is on display.
@@ -119,7 +119,7 @@ impl Bench {
         self.sim.set(self.sim.i.swap, 0);
     }
 
-    /// The same up to the swap.
+    /// Like [`Bench::frame`], up to the swap.
     fn merge(&mut self, images: &[Vec<u64>]) {
         let end = self.begin(images);
         while !self.may_swap(end) {
@@ -140,7 +140,7 @@ impl Bench {
         self.advanced > end && self.sim.get_u64(self.sim.o.blanking) == 1
     }
 
-    /// One host access, a write if there is a word; returns the word read, if the unit says that it has read.
+    /// One host access, a write if there is a word; returns the word read, if `read_valid` is high.
     fn access(&mut self, address: usize, word: Option<u64>) -> Option<u64> {
         let accesses = self.sim.i.host.accesses;
         assert_eq!(self.sim.get_u64(accesses.ready), 1, "an access is taken in every clock");
@@ -149,7 +149,7 @@ impl Bench {
         self.sim.set(accesses.writes, word.is_some());
         self.sim.set(accesses.word, word.unwrap_or(0));
         self.clock();
-        // The word is there while the next access may be at the port.
+        // The word is valid while the next access may be at the port.
         let view = self.sim.o.view;
         let read = (self.sim.get_u64(view.read_valid) == 1).then(|| self.sim.get_u64(view.read_word));
         self.sim.set(accesses.valid, 0);
@@ -191,8 +191,8 @@ fn a_later_round_feeds_the_chain_with_what_the_first_has_stored() {
     assert_eq!(left[14..21], [5, 1, 7, 5, 6, 2, 8]);
 }
 
-/// A bit that crosses from one clock to another arrives two clocks of the latter later. It starts with its reset value,
-/// which comes some edges later.
+/// A bit that crosses from one clock to another arrives two clocks of the destination later. A reset sets it on both
+/// sides; the value of the source arrives some edges later.
 fn know_of_each_other(phase: u32) {
     let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
     let peek = |bench: &mut Bench, name| bench.sim.peek(name).unwrap().to_u64().unwrap();
@@ -272,7 +272,7 @@ fn the_host_writes_and_reads_in_every_clock() {
     bench.frame(&[vec![50; 14]]);
     (0..3).for_each(|_| bench.clock());
     assert_eq!(bench.sim.get_u64(bench.sim.o.view.read_word), 15);
-    assert_eq!(bench.sim.covered("the host reads right behind a write").unwrap(), 1);
+    assert_eq!(bench.sim.covered("the host reads in the clock after a write").unwrap(), 1);
 }
 
 #[test]
@@ -286,7 +286,7 @@ fn the_display_shows_what_the_host_writes_until_the_next_frame() {
     assert_eq!(bench.next_refresh(), written);
     bench.frame(&[vec![50; 14]]);
     assert_eq!(bench.next_refresh(), [50; 14]);
-    // Nor is it there when the bank is on display again.
+    // The write is not visible when the bank is on display again, either.
     bench.frame(&[vec![60; 14]]);
     assert_eq!((bench.next_refresh(), bench.picture()), (vec![60; 14], vec![60; 14]));
 }
@@ -317,10 +317,7 @@ fn a_pixel_that_is_changed_after_a_swap_is_an_error() {
     bench.chain.iter_mut().for_each(|word| *word = 3);
     bench.sim.set(bench.sim.i.merged, 3);
     let problem = (0..100).find_map(|_| bench.sim.try_step().err()).unwrap().to_string();
-    assert!(
-        problem.contains("a pixel that entered the chain before a swap is the word that its bank has"),
-        "{problem}"
-    );
+    assert!(problem.contains("a pixel that entered the chain before a swap equals the word in its bank"), "{problem}");
 }
 
 #[test]
@@ -339,8 +336,8 @@ fn a_chain_longer_than_a_frame_is_refused_in_a_sentence() {
     assert!(unit(16, 8, 31, 20).checked().is_ok());
     assert_eq!(
         unit(16, 8, 32, 20).checked().unwrap_err().to_string(),
-        "`units` of `GfbUnit` is 32: it has to be from 1 to 31. The chain and the way into it are shorter than the screen: \
-         a pixel is stored before it is fed again."
+        "`units` of `GfbUnit` is 32: it has to be from 1 to 31. The chain and the path into it are shorter than the screen, \
+         so that a pixel is stored before it is fed again."
     );
 }
 

@@ -17,7 +17,7 @@ struct Plain {
     covers: [u64; COVERS.len()],
 }
 
-/// The counters of the bus.
+/// The covers of the bus.
 const COVERS: [&str; 5] = [
     "a full queue stalls the bus",
     "a sender pauses within its packet",
@@ -166,9 +166,9 @@ proptest! {
         }
         let packets: Vec<&[BusWord<u64>]> = received[0].split_inclusive(|word| word.last == 1).collect();
         for (sender, lengths) in lengths.iter().enumerate() {
-            let his: Vec<BusWord<u64>> =
+            let own: Vec<BusWord<u64>> =
                 packets.iter().filter(|packet| packet[0].word >> 24 == sender as u64).copied().flatten().copied().collect();
-            prop_assert_eq!(his, self::words(sender, lengths));
+            prop_assert_eq!(own, self::words(sender, lengths));
         }
     }
 }

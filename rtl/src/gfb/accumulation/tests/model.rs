@@ -113,7 +113,7 @@ proptest! {
                         clock(false, false, picture).await;
                     }
                     clock(true, number == 0, picture).await;
-                    // For as many clocks as a pass should take.
+                    // The clocks that a pass should take.
                     for _ in 0..pixels + 1 {
                         clock(false, true, picture).await;
                     }

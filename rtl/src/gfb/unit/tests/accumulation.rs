@@ -4,7 +4,7 @@ use super::*;
 use crate::gfb::Passes;
 use crate::gfb::testing::average;
 
-/// A host write into a pass: how many clocks after its swap, and to which pixel.
+/// A host write into a pass: how many clocks after the swap, to which pixel, and the word.
 type Write = (u64, usize, u64);
 
 /// The unit with an accumulation buffer, and a display so fast that no sum ends in the blanking in which it begins.
@@ -13,7 +13,7 @@ fn accumulating(unit: GfbUnit) -> GfbUnit {
     GfbUnit { accumulation: true, display, ..unit }
 }
 
-/// A chain of one unit behind a wide screen: a sum takes more than a refresh, and a pass takes two.
+/// A chain of one unit for a wide screen: a sum takes more than a refresh, and a pass takes two.
 fn slow() -> GfbUnit {
     let unit = accumulating(unit(64, 4, 1, 5));
     let period =
@@ -55,7 +55,8 @@ fn images(passes: Passes, pixels: usize) -> Vec<Vec<u64>> {
     (1..=u64::from(passes.count())).map(image).collect()
 }
 
-/// Pictures of these passes one after another, and a frame behind them; returns what is shown from the first pass on.
+/// Shows pictures of these passes one after another, and a frame after them; returns the refreshes from the first pass
+/// on.
 fn shown(bench: &mut Bench, pictures: &[(Passes, Vec<Vec<u64>>)], behind: &[u64]) -> Vec<Vec<u64>> {
     let mut first = None;
     for (passes, images) in pictures {
@@ -71,8 +72,8 @@ fn shown(bench: &mut Bench, pictures: &[(Passes, Vec<Vec<u64>>)], behind: &[u64]
     bench.refreshes.split_off(first.unwrap())
 }
 
-/// In as few refreshes as possible: one for the average, and one for each pass. A pass takes two where merging takes
-/// two, as in the paper's machine.
+/// A picture takes as few refreshes as possible: one for the average, and one for each pass. A pass takes two if merging
+/// takes two, as in the paper's machine.
 #[test]
 fn a_picture_takes_a_refresh_more_than_its_passes() {
     for (unit, refreshes) in [(accumulating(unit(7, 2, 1, 1)), 1), (slow(), 2)] {
@@ -147,7 +148,7 @@ fn a_picture_that_has_begun_is_completed() {
     assert_eq!(shown[7], average(&images[..2]));
 }
 
-/// The sum reads pixel 5 in the 6th clock after the swap; the host writes it before, then, and after that.
+/// The sum reads pixel 5 in the 6th clock after the swap; the host writes it before, in and after that clock.
 #[test]
 fn a_sum_has_what_the_host_writes_before_it_comes_to_the_pixel() {
     for (clock, is_added) in [(0, true), (4, true), (5, false), (6, false)] {
@@ -167,7 +168,7 @@ fn a_swap_while_a_sum_is_under_way_or_before_the_average_is_an_error() {
     let unit = slow();
     let sentences = [
         "the banks do not change while a sum is under way",
-        "the banks do not change before the average was shown for a whole refresh",
+        "the banks do not change before the average has been shown for a whole refresh",
     ];
     for (clocks, sentence) in [(10, sentences[0]), (256 + 40, sentences[1])] {
         let mut bench = Bench::new(unit.clone(), 7);
