@@ -8,18 +8,18 @@ use crate::prelude::*;
 pub(crate) fn delays(m: Module, name: &str, clocks: u32, signal: Signal) -> Vec<Signal> {
     let mut delays = vec![signal];
     for clock in 1..=clocks {
-        delays.push(m.pipe(&format!("{name}{clock}"), *delays.last().expect("there is the signal")));
+        delays.push(m.pipe(&format!("{name}{clock}"), *delays.last().expect("the first is the signal")));
     }
     delays
 }
 
-/// Like [`delays`], for a flag. A reset clears the registers, so no flag comes out that was not sent.
+/// Like [`delays`], for a flag. A reset clears the registers, so every flag at the end has been sent.
 #[track_caller]
-pub(crate) fn mark_delays(m: Module, name: &str, clocks: u32, mark: Signal) -> Vec<Signal> {
-    let mut delays = vec![mark];
+pub(crate) fn mark_delays(m: Module, name: &str, clocks: u32, flag: Signal) -> Vec<Signal> {
+    let mut delays = vec![flag];
     for clock in 1..=clocks {
         let later = m.reg(&format!("{name}{clock}"), bit()).reset(0);
-        later.next(*delays.last().expect("there is the mark"));
+        later.next(*delays.last().expect("the first is the flag"));
         delays.push(*later);
     }
     delays

@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! tilewright diagram vc1 -o vc1.svg                           # boxes, memories, registers, streams as thick arrows, clocks by colour
-//! tilewright diagram quadtree-generator --depth 2 -o qt.svg   # with its instances opened
+//! tilewright diagram quadtree-generator --depth 2 -o qt.svg   # with the contents of its instances
 //! tilewright diagram patch-table --around stage1 --ascii      # what feeds one register, and what it feeds
 //! ```
 //!

@@ -7,7 +7,7 @@
 
 use tilewright_hdl::Bits;
 
-/// The width of the word in bits: a depth of 24 above a colour of 24.
+/// The width of the word in bits: 24 bits of depth above 24 bits of colour.
 pub const WORD: u32 = 48;
 
 /// The word of a pixel where nothing was drawn: the greatest word, which every other replaces.

@@ -48,7 +48,7 @@ pub(super) const GFB_SEQUENCER: Entry = Entry {
 
 pub(super) const CRT_READ_OUT: Entry = Entry {
     name: "crt-read-out",
-    summary: "reads the bank on display, refresh after refresh, and says when the banks may change",
+    summary: "reads the bank on display, refresh after refresh, and signals when the banks may change",
     parameters: &[WIDTH, HEIGHT, PIXEL_CLOCK],
     design: |values| Ok(elaborate_at(&read_out(values)?, display(values).period)?),
     scenario: |values| Ok(a_refresh(&read_out(values)?, values)),
@@ -111,7 +111,7 @@ fn two_frames(gfb: &GfbUnit) -> Scenario {
 }
 
 fn two_pictures() -> Scenario {
-    let [host] = two_passes(true).try_into().expect("there is a buffer");
+    let [host] = two_passes(true).try_into().expect("there is an accumulation buffer");
     let mut script = Script::new(&MultipassControl, MERGE.period);
     let idle = MultipassControlIn { swap: 0, host, busy: 0, blanking: 0 };
     for _picture in 0..2 {
@@ -137,7 +137,7 @@ fn rounds(sequencer: &GfbSequencer) -> Scenario {
     script.hold(&GfbSequencerIn { restart: 0 }, sequencer.stored_clocks() + 6);
     script.clock(&GfbSequencerIn { restart: 1 });
     script.hold(&GfbSequencerIn { restart: 0 }, sequencer.period() / 2);
-    script.finish("a round and the beginning of the next one; a restart on the way")
+    script.finish("a round and the beginning of the next one, which a restart interrupts")
 }
 
 fn read_out(values: &Values) -> Result<CrtReadOut, CatalogError> {
@@ -167,5 +167,5 @@ fn two_sums(accumulation: &Accumulation) -> Scenario {
     for read_address in [1, last] {
         script.hold(&AccumulationIn { read_address, ..idle }, 2);
     }
-    script.finish("two passes, each a picture in one colour; some pixels are read, which have the average")
+    script.finish("two passes, each a picture in one colour; then two pixels of the average are read")
 }

@@ -88,7 +88,7 @@ fn misses_and_hits(table: &PatchTable) -> Scenario {
         scan: ScanLookUp { enable: 1, patch: 3, buffer: 0 },
     };
     script.clock(&idle);
-    // Each look-up waits until it is accepted: the first at once, the next in the last clock of its predecessor.
+    // The first look-up is accepted at once, and each later one in the last clock of its predecessor.
     for (patch, clocks) in [(3, 1), (3, 4), (1, 3), (3, 4)] {
         script.hold(&PatchTableIn { look_up: Stream::of(1, Wanted { patch }), ..idle }, clocks);
     }

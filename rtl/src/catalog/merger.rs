@@ -1,4 +1,4 @@
-//! The entries of the merging unit and the chain of them.
+//! The entries of the merging unit, and of the chain of merging units.
 
 use tilewright_hdl::{Scenario, Script, elaborate_at};
 
@@ -43,5 +43,5 @@ fn a_marked_pixel(merger: &ImageMerger) -> Scenario {
     inputs.left = EMPTY;
     script.clock(&inputs);
     script.wait(4 * merger.units + 2);
-    script.finish("a flagged pixel enters at the left and comes out 4 clocks a unit later")
+    script.finish("a flagged pixel enters at the left, and comes out after 4 clocks per unit")
 }

@@ -116,7 +116,7 @@ const fn all<const COUNT: usize>() -> [Entry; COUNT] {
         }
         group += 1;
     }
-    assert!(count == COUNT, "another number of entries");
+    assert!(count == COUNT, "COUNT is not the number of entries");
     all
 }
 

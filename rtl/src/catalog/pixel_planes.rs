@@ -1,4 +1,4 @@
-//! The entries of Pixel-planes 5's renderer and its parts.
+//! The entries of Pixel-planes 5 and its parts.
 
 mod scenarios;
 
@@ -28,14 +28,14 @@ const SIDE: Parameter = Parameter {
     default: 8,
     min: 2,
     max: 256,
-    meaning: "pixels in a line of a region, and lines, a power of two",
+    meaning: "pixels along each side of a region, a power of two",
 };
 const INSTRUCTIONS: Parameter = Parameter {
     name: "queue",
     default: 16,
     min: 1,
     max: Renderer::MOST as u64,
-    meaning: "instructions that its queue holds",
+    meaning: "instructions that the queue holds",
 };
 const RENDERERS: Parameter =
     Parameter { name: "renderers", default: 4, min: 1, max: 64, meaning: "renderers that draw regions" };
@@ -46,7 +46,7 @@ const RATE: Parameter = Parameter {
     default: 125,
     min: 1,
     max: Ring::MOST as u64,
-    meaning: "bits that the ring brings in a clock: 125 are 5 Gbit/s",
+    meaning: "bits that the ring carries in a clock: 125 are 5 Gbit/s",
 };
 
 const QUADRATIC: Parameter = Parameter {
@@ -54,7 +54,7 @@ const QUADRATIC: Parameter = Parameter {
     default: 0,
     min: 0,
     max: 1,
-    meaning: "0 where all expressions are linear, 1 where some are quadratic",
+    meaning: "1: expressions may be quadratic; 0: all are linear",
 };
 
 pub(super) const PIXEL_PLANES_5: Entry = Entry {
@@ -75,7 +75,7 @@ pub(super) const RING: Entry = Entry {
 
 pub(super) const RENDERER: Entry = Entry {
     name: "renderer",
-    summary: "draws regions of the screen: pixels that compute, one instruction for all",
+    summary: "draws regions of the screen with an array of pixel processors under one instruction stream",
     parameters: &[SIDE, INSTRUCTIONS],
     design: |values| Ok(elaborate_at(&renderer(values)?, PERIOD)?),
     scenario: |values| Ok(a_triangle(&renderer(values)?)),
@@ -83,7 +83,7 @@ pub(super) const RENDERER: Entry = Entry {
 
 pub(super) const QUADRATIC_RENDERER: Entry = Entry {
     name: "quadratic-renderer",
-    summary: "a renderer that evaluates quadratics, so it draws spheres, too",
+    summary: "a renderer that also evaluates quadratics, and so draws spheres",
     parameters: &[Parameter { default: 4, ..SIDE }, INSTRUCTIONS],
     design: |values| Ok(elaborate_at(&renderer(values)?.quadratic(true), PERIOD)?),
     scenario: |values| Ok(a_sphere(&renderer(values)?.quadratic(true))),
@@ -91,7 +91,7 @@ pub(super) const QUADRATIC_RENDERER: Entry = Entry {
 
 pub(super) const IMAGE_GENERATION_CONTROLLER: Entry = Entry {
     name: "image-generation-controller",
-    summary: "controls the tree and all pixels by an instruction stream",
+    summary: "controls the tree and all pixels from an instruction stream",
     parameters: &[SIDE, QUADRATIC],
     design: |values| Ok(elaborate_at(&controller(values)?, PERIOD)?),
     scenario: |values| Ok(one_after_another(&controller(values)?)),

@@ -38,18 +38,18 @@ const SETUP: Parameter = Parameter {
     default: 2,
     min: 0,
     max: LONGEST_SETUP as u64,
-    meaning: "clocks of the network before a word, which depend on the number of nodes",
+    meaning: "set-up clocks of the network before a word; they depend on the number of nodes",
 };
 const TEXELS: Parameter =
     Parameter { name: "texels", default: 16, min: 1, max: 1 << 20, meaning: "texels of each of the eight banks" };
-const TEXTURES: Parameter = Parameter { name: "textures", default: 2, min: 1, max: 256, meaning: "textures" };
+const TEXTURES: Parameter = Parameter { name: "textures", default: 2, min: 1, max: 256, meaning: "number of textures" };
 const CHIPS: Parameter = Parameter { name: "chips", default: 2, min: 1, max: 64, meaning: "chips of the node" };
 const DEPTH: Parameter = Parameter {
     name: "depth",
     default: PixelProcessor::DEPTH as u64,
     min: 2,
     max: 32,
-    meaning: "enable flags of a pixel, one in another",
+    meaning: "depth of a pixel's stack of enable flags",
 };
 const PIXELS: Parameter = Parameter { name: "pixels", default: 4, min: 1, max: 1024, meaning: "pixels of a chip" };
 
@@ -85,7 +85,7 @@ pub(super) const COMMAND_DMA: Entry = Entry {
 
 pub(super) const ARRAY_CONTROLLER: Entry = Entry {
     name: "array-controller",
-    summary: "controls the linear evaluator and all pixels by an instruction stream",
+    summary: "controls the linear evaluator and all pixels from an instruction stream",
     parameters: &[LINE, LINES],
     design: |values| Ok(elaborate_at(&controller(values)?, ARRAY.period)?),
     scenario: |values| Ok(scenarios::drawn_and_given(&controller(values)?)),
@@ -125,7 +125,7 @@ pub(super) const TEXTURE_MEMORY: Entry = Entry {
 
 pub(super) const FRAME_BUFFER: Entry = Entry {
     name: "pixelflow-frame-buffer",
-    summary: "takes the colours of regions from its node's registers, and scans whole frames out",
+    summary: "takes the colours of regions from its node's registers, and scans out whole frames",
     parameters: &[LINE, LINES, WIDTH, HEIGHT],
     design: |values| Ok(elaborate_at(&frame_buffer(values)?, ARRAY.period)?),
     scenario: |values| Ok(scenarios::a_frame_is_shown(&frame_buffer(values)?)),
@@ -149,7 +149,7 @@ pub(super) const NETWORK_SEQUENCER: Entry = Entry {
 
 pub(super) const NETWORK: Entry = Entry {
     name: "network",
-    summary: "connects nodes in one direction, and passes on the nearest of each pixel",
+    summary: "connects nodes in one direction, and passes on the nearest word of each pixel",
     parameters: &[NODES, CHIPS, PIXELS],
     design: |values| Ok(elaborate_at(&network(values), TRANSFER)?),
     scenario: |values| Ok(scenarios::from_the_first_to_the_last(&network(values))),

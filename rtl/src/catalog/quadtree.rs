@@ -1,11 +1,5 @@
 //! The entries of the sparse-raster quadtree generator and its parts.
 
-//! The entries of the sparse-raster quadtree generator and its parts.
-//!
-//! All scenarios share one polygon, cut to a triangle where a block has only three edges. On 8x8 pixels the triangle
-//! covers the pixels with x + y <= 6. A scenario ignores the block's outputs. So it keeps a waiting input for as many
-//! clocks as the block needs.
-
 mod scenarios;
 
 use tilewright_hdl::elaborate;
@@ -41,16 +35,15 @@ const COLUMNS: Parameter = Parameter {
 const ROWS: Parameter =
     Parameter { name: "rows", default: 2, min: 1, max: 16, meaning: "rows of video processors, a power of two" };
 const EDGES: Parameter =
-    Parameter { name: "edges", default: 3, min: 3, max: 8, meaning: "the most edges of a polygon" };
+    Parameter { name: "edges", default: 3, min: 3, max: 8, meaning: "greatest number of edges of a polygon" };
 const APERTURE: Parameter =
     Parameter { name: "aperture", default: 0, min: 0, max: 8, meaning: "aperture of the filter in pixels, even" };
 const PARALLEL: Parameter =
     Parameter { name: "parallel", default: 0, min: 0, max: 1, meaning: "1: an adder for each edge; 0: one adder" };
 const STACK: Parameter = Parameter { name: "stack", default: 0, min: 0, max: 11, meaning: "levels of a stack" };
 const TREE: Parameter =
-    Parameter { name: "tree", default: 0, min: 0, max: 4, meaning: "levels of a tree; those left are a pipe's" };
-const QUEUE: Parameter =
-    Parameter { name: "queue", default: 2, min: 1, max: 4096, meaning: "what each of its queues holds" };
+    Parameter { name: "tree", default: 0, min: 0, max: 4, meaning: "levels of a tree; a pipe has the rest" };
+const QUEUE: Parameter = Parameter { name: "queue", default: 2, min: 1, max: 4096, meaning: "capacity of each queue" };
 
 pub(super) const QUADTREE_GENERATOR: Entry = Entry {
     name: "quadtree-generator",
@@ -62,7 +55,7 @@ pub(super) const QUADTREE_GENERATOR: Entry = Entry {
 
 pub(super) const VIDEO_PROCESSOR: Entry = Entry {
     name: "video-processor",
-    summary: "draws a polygon's pixels in its own sparse raster",
+    summary: "draws polygons in a sparse raster of its own",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE, PARALLEL, STACK, TREE, QUEUE],
     design: |values| Ok(elaborate(generator(values)?.processor())?),
     scenario: |values| Ok(draw_and_send(generator(values)?.processor())),
@@ -102,7 +95,7 @@ pub(super) const QUADTREE_PIPE: Entry = Entry {
 
 pub(super) const QUADTREE_TREE: Entry = Entry {
     name: "quadtree-tree",
-    summary: "divides windows, and their quarters side by side",
+    summary: "divides windows in a tree of units, which divide the quarters side by side",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE, PARALLEL, QUEUE],
     design: |values| Ok(elaborate(&quadtree_tree(values)?)?),
     scenario: |values| Ok(find_pixels(&quadtree_tree(values)?, (format(values)?, test(values)))),
@@ -126,7 +119,7 @@ pub(super) const QUADTREE_PIXEL: Entry = Entry {
 
 pub(super) const VIDEO_BUFFER: Entry = Entry {
     name: "video-buffer",
-    summary: "keeps the nearer word of each pixel in one bank, and sends those of the other",
+    summary: "keeps the nearer word of each pixel in one bank, and sends the words of the other",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS],
     design: |values| Ok(elaborate(&VideoBuffer { format: of_triangles(values)? })?),
     scenario: |values| Ok(draw_thrice_and_send(&VideoBuffer { format: of_triangles(values)? })),
@@ -140,7 +133,7 @@ pub(super) const VIDEO_CONTROLLER: Entry = Entry {
     scenario: |values| Ok(a_picture(&VideoController { format: of_triangles(values)? })),
 };
 
-/// For blocks that do not look at polygons.
+/// The format of blocks that do not process polygons.
 fn of_triangles(values: &Values) -> Result<Format, ParameterError> {
     let [width, height, columns, rows] = ["width", "height", "columns", "rows"].map(|name| values.get_u32(name));
     Format::new(Screen::new(width, height)?, Matrix::new(columns, rows)?, 3)

@@ -5,7 +5,7 @@ use tilewright_hdl::{Bits, Block, Bundle, Codes, Period, Width};
 use super::{Parameter, Values};
 use crate::gfb::{Display, Multipass, Passes};
 
-/// The word that lies behind every other word: an empty pixel.
+/// The word of an empty pixel, which every other word replaces.
 pub(super) const EMPTY: u64 = (1 << 48) - 1;
 
 pub(super) const WIDTH: Parameter =
@@ -28,7 +28,7 @@ pub(super) const PROCESSORS: Parameter =
 pub(super) const RECEIVE_QUEUE: Parameter =
     Parameter { name: "queue", default: 4, min: 2, max: 4096, meaning: "words that each receive queue holds" };
 pub(super) const WORD_CLOCKS: Parameter =
-    Parameter { name: "clocks", default: 6, min: 1, max: 255, meaning: "clocks that a word is on the bus" };
+    Parameter { name: "clocks", default: 6, min: 1, max: 255, meaning: "clocks for which a word occupies the bus" };
 pub(super) const ACCUMULATION_BUFFER: Parameter =
     Parameter { name: "accumulation", default: 0, min: 0, max: 1, meaning: "1 with an accumulation buffer, 0 without" };
 pub(super) const UNITS: Parameter =

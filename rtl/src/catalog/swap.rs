@@ -19,7 +19,7 @@ const ROUND: Parameter =
 
 pub(super) const VC1_SWAP: Entry = Entry {
     name: "vc1-swap",
-    summary: "the VC-1's whole swap control: decides when local frame buffers, and when the global one, swap",
+    summary: "the VC-1's whole swap control: decides when the local frame buffers and the global one swap",
     parameters: &[PROCESSORS, PATCHES, ROUND],
     design: |values| Ok(elaborate(&swap_control(values)?)?),
     scenario: |values| Ok(figure_6::figure_6(&swap_control(values)?)),
@@ -27,7 +27,7 @@ pub(super) const VC1_SWAP: Entry = Entry {
 
 pub(super) const SYNC_LINE: Entry = Entry {
     name: "sync-line",
-    summary: "one bit that is high unless a processing element pulls it low",
+    summary: "one bit that is high unless a unit pulls it low",
     parameters: &[PROCESSORS],
     design: |values| Ok(elaborate_at(&sync_line(values)?, PE.period)?),
     scenario: |values| Ok(one_after_another(&sync_line(values)?)),
@@ -35,7 +35,7 @@ pub(super) const SYNC_LINE: Entry = Entry {
 
 pub(super) const LFB_SWAP: Entry = Entry {
     name: "lfb-swap",
-    summary: "swaps a local frame buffer at a frame's end and in an overflow",
+    summary: "swaps a local frame buffer at a frame's end and on an overflow",
     parameters: &[PATCHES, MERGE_CLOCKS],
     design: |values| Ok(elaborate(&lfb_swap(values)?)?),
     scenario: |values| Ok(a_frame_and_an_overflow(&lfb_swap(values)?)),

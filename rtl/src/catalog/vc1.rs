@@ -76,7 +76,8 @@ fn a_frame(vc1: &Vc1) -> Scenario {
         script.hold(&idle, 2);
     }
     script.clock(&all(&|number| draw(0, 0, 20 + number)));
-    // It waits until it is accepted: the first look-up misses, as its patch has no page, and takes 4 clocks.
+    // This request waits until it is accepted: the first look-up misses, because its patch has no page, and takes 4
+    // clocks.
     script.hold(&all(&|number| draw(last_x, last_y, 40 - number % 16)), 4);
     script.hold(&idle, 8);
     script.clock(&all(&|_| ProcessorIn { done: 1, ..processor }));

@@ -38,7 +38,7 @@ fn surface() -> Surface {
     Surface { z: Coefficients { a: 1 << 16, b: 0, c: 1000 << 16 }, rgb: [grey; 3] }
 }
 
-/// The clocks of an instruction when each begins as the one before ends.
+/// The clocks of an instruction if each begins when its predecessor ends.
 fn clocks(instruction: &Instruction<u64>) -> u64 {
     instruction.skip + instruction.length
 }
@@ -49,14 +49,14 @@ pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
     drawn(
         renderer,
         &triangle,
-        "a region is cleared, a triangle with planes of colour is drawn in it, and it is saved and sent",
+        "a region is cleared, a triangle with colour planes is drawn in it, and the region is saved and sent",
     )
 }
 
 pub(super) fn a_sphere(renderer: &Renderer) -> Scenario {
     let side = i64::from(renderer.side());
     let inside = Quadratic { a: 0, b: 0, c: 9 * side * side / 64, d: -1, e: 0, f: -1 };
-    // Starts with this value at the edge, and has twice as much in the middle.
+    // A plane with the value `edge` at the silhouette, and `edge + more` in the middle.
     let over = |edge: i64, more: i64| {
         let times = (more << 16) / inside.c.max(1);
         let over = Quadratic { c: (edge << 16) + inside.c * times, ..inside.times(times) };
@@ -64,7 +64,7 @@ pub(super) fn a_sphere(renderer: &Renderer) -> Scenario {
     };
     let surface = Surface { z: over(1000, -500), rgb: [over(0x40, 0x80), over(0x40, 0xb0), over(0x40, 0)] };
     let sphere = SMOOTH_LEAST.draw_sphere(renderer.side(), &inside.moved([-side / 2, -side / 2]), &surface);
-    drawn(renderer, &sphere, "a region is cleared, a sphere is drawn in it, and it is saved and sent")
+    drawn(renderer, &sphere, "a region is cleared, a sphere is drawn in it, and the region is saved and sent")
 }
 
 /// A region that is cleared, drawn with these instructions, and saved.
@@ -110,11 +110,11 @@ pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {
         [clear(0x20_00_00 * (region + 1)), orange, save(region)].concat()
     };
     let mut script = Script::new(machine, PERIOD);
-    // The clocks in which the ring has credit again.
+    // After these clocks the ring has credit again.
     let pause = u64::from(Ring::INSTRUCTION.max(side) / rate);
     for first in (0..count).step_by(renderers as usize) {
-        // All renderers are idle, so the lowest gets the next region, then the others. Each finishes long before there
-        // are more regions.
+        // All renderers are idle, so the lowest gets the next region, then the others. Each finishes before the next
+        // regions are offered.
         let given = (count - first).min(renderers);
         for number in 0..given {
             script.clock(&inputs(Some(first + number), (1 << number) - 1, None));
@@ -129,7 +129,7 @@ pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {
         script.clock(&inputs(None, 0, None));
         script.wait(200 + given * WORD.bits * side * (1 + side / rate));
     }
-    script.finish("regions are given, cleared, drawn and saved, and reach the frame buffer")
+    script.finish("regions are allocated, cleared, drawn and saved, and reach the frame buffer")
 }
 
 pub(super) fn by_turns(ring: &Ring, renderers: u32) -> Scenario {
@@ -137,7 +137,7 @@ pub(super) fn by_turns(ring: &Ring, renderers: u32) -> Scenario {
         bins: (0..renderers).map(|number| Stream::of(valid, clear(number)[0])).collect(),
         room,
         finished: (0..u64::from(renderers))
-            // The last plane of each line; behind it another renderer may send.
+            // The last plane of each line; after it another renderer may send.
             .map(|region| Stream::of(finished, BitPlane { region, line: 0, plane: 47, bits: region % 2 }))
             .collect(),
     };
@@ -151,7 +151,7 @@ pub(super) fn by_turns(ring: &Ring, renderers: u32) -> Scenario {
     script.hold(&messages(0, 0, 0), 4);
     script.hold(&messages(1, all, 0), 4);
     script.finish(
-        "all have messages; the last queue is full, then all are; after a pause the credit is as much as it can be",
+        "all senders have messages; the last queue is full, then all are; after a pause the credit is at its limit",
     )
 }
 
@@ -174,7 +174,7 @@ pub(super) fn one_after_another(controller: &ImageGenerationController) -> Scena
     script.clock(&inputs(1, program[0], 1));
     script.clock(&inputs(0, program[0], 1));
     script.wait(before + 2 * u64::from(side.trailing_zeros()));
-    script.finish("a primitive's instructions, one at a time; then the next one's first beside the last")
+    script.finish("a primitive's instructions, one at a time; the last one overlaps the next primitive's first")
 }
 
 pub(super) fn two_expressions(tree: &LinearTree) -> Scenario {
@@ -188,7 +188,7 @@ pub(super) fn two_expressions(tree: &LinearTree) -> Scenario {
     }
     script.clock(&LinearTreeIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0 });
     script.wait(tree.latency());
-    script.finish("x, and right behind it -x + 2 y + 1, the least significant bit first")
+    script.finish("x, and immediately after it -x + 2 y + 1, least significant bit first")
 }
 
 pub(super) fn two_quadratics(tree: &QuadraticTree) -> Scenario {
@@ -206,7 +206,7 @@ pub(super) fn two_quadratics(tree: &QuadraticTree) -> Scenario {
     }
     script.clock(&inputs([0; 6], false));
     script.wait(tree.latency());
-    script.finish("x^2, and right behind it 2 x + 1 - x^2 + x y + 3 y^2, the least significant bit first")
+    script.finish("x^2, and immediately after it 2 x + 1 - x^2 + x y + 3 y^2, least significant bit first")
 }
 
 pub(super) fn write_add_and_compare() -> Scenario {
@@ -270,7 +270,7 @@ pub(super) fn a_region(store: &BackingStore) -> Scenario {
 pub(super) fn four_free(allocator: &RegionAllocator) -> Scenario {
     let mut script = Script::new(allocator, PERIOD);
     let all = u64::MAX >> (64 - allocator.renderers);
-    // A renderer that has got a region is no longer free.
+    // A renderer that has a region is no longer free.
     for given in 0..allocator.renderers.min(4) {
         let regions = Stream::of(1, 100 + u64::from(given));
         script.clock(&RegionAllocatorIn { regions, free: all >> given << given });
@@ -290,7 +290,7 @@ pub(super) fn two_lines(frame: &FrameBuffer) -> Scenario {
     let last = u64::from(frame.side() - 1);
     for (line, word) in [(0, 0x1234u64), (last, 0x8000_0000_0001)] {
         for plane in 0..u64::from(WORD.bits) {
-            // The same word at all pixels of the line; a line has at most 64 here.
+            // The same word at all pixels of the line, or at the first 64 of them.
             let bits = if word >> plane & 1 == 1 { u64::MAX >> (64 - frame.side().min(64)) } else { 0 };
             let planes = Stream::of(1, BitPlane { region: 0, line, plane, bits });
             script.clock(&FrameBufferIn { planes, ..quiet });

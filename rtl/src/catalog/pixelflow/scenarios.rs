@@ -71,7 +71,9 @@ pub(super) fn composed_and_unloaded(port: &NetworkPort) -> Scenario {
         }
     }
     script.clock_bits(&idle(port));
-    script.finish("words of two bytes are composed with the node's; then the node takes others, and sends its own")
+    script.finish(
+        "words of two bytes are composed with the node's; then the node receives other words, and sends its own",
+    )
 }
 
 pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
@@ -97,7 +99,7 @@ pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
         };
         script.clock_bits(&NetworkIn { nodes: (0..nodes).map(node).collect() });
     }
-    script.finish("words of two bytes: the first node sends, those behind it compose, and the last one gets the least")
+    script.finish("words of two bytes: the first node sends, those after it compose, and the last one gets the least")
 }
 
 fn in_each_chip(chips: u32, width: u32, byte: u64) -> Bits {
@@ -147,7 +149,7 @@ pub(super) fn drawn_and_given(controller: &ArrayController) -> Scenario {
         script.hold(&inputs(1, instruction, 0), before);
         before = instruction.clocks();
     }
-    // The scenario waits for the bank; the network releases it in the last of these clocks.
+    // The controller waits for the bank; the network releases it after these clocks.
     let wait = Instruction { sync: Sync::AwaitBank.code(), ..Instruction::NOTHING };
     script.hold(&inputs(1, wait, 0), 4);
     script.clock(&inputs(1, wait, 1));
@@ -171,7 +173,7 @@ pub(super) fn two_expressions(evaluator: &LinearEvaluator) -> Scenario {
     }
     script.clock(&LinearEvaluatorIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0, sends: 0 });
     script.wait(evaluator.latency());
-    script.finish("0xc0 x + 0x105, and right behind it -x + 2 y + 1, in two bytes each, the lower one first")
+    script.finish("0xc0 x + 0x105, and immediately after it -x + 2 y + 1, in two bytes each, the lower byte first")
 }
 
 pub(super) fn add_compare_and_copy(pixel: &PixelProcessor) -> Scenario {
@@ -283,7 +285,9 @@ pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
     let array = program.iter().map(Instruction::clocks).sum::<u64>() + u64::from(node.array().latency()) + 10;
     let network = u64::from(node.setup() + 2 * node.port().pixels) + 10;
     script.wait(2 * array + network);
-    script.finish("instructions are written and fetched; a word is drawn, its bank is given, and the network sends it")
+    script.finish(
+        "instructions are written and fetched; a word is drawn, and its bank is given to the network, which sends it",
+    )
 }
 
 pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
@@ -322,7 +326,7 @@ pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
     let network = u64::from(node.setup() + 2 * node.port().pixels + nodes) + 10;
     script.wait(2 * array + network);
     script.finish(
-        "all nodes draw a word; the first one sends its own, those behind it compose, and the last one keeps it",
+        "all nodes draw a word; the first one sends its own, those after it compose, and the last one keeps the result",
     )
 }
 

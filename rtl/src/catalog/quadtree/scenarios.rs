@@ -1,3 +1,5 @@
+//! Scenarios of the quadtree generator's blocks.
+//!
 //! All scenarios share one polygon, cut to a triangle where a block has only three edges. On 8x8 pixels the triangle
 //! covers the pixels with x + y <= 6. A scenario ignores the block's outputs. So it keeps a waiting input for as many
 //! clocks as the block needs.
@@ -18,7 +20,7 @@ use crate::quadtree::set_up::{SetUp, SetUpIn};
 use crate::quadtree::video_buffer::{Scan, VideoBuffer, VideoBufferIn};
 
 /// A polygon with as many edges as the format allows. The first three edges form a triangle in the upper left of the
-/// screen. The triangle lies within 16x16 pixels, so it is drawn quickly.
+/// screen. The bounds limit it to 16x16 pixels, so it is drawn quickly.
 fn polygon(format: &Format) -> Convex {
     let [w, h] = [format.screen().width, format.screen().height].map(i64::from);
     let edges = [
@@ -69,7 +71,7 @@ pub(super) fn test_quarters(block: &CoverageTest) -> Scenario {
     let mut script = Script::new(block, DEFAULT_PERIOD);
     script.ready("parts", true);
     script.clock_bits(&works(&polygon));
-    // The next window is shown until the last clock of the first one; the receiver pauses in the middle of that.
+    // The next window is offered until the last clock of the first one. In the middle of that the receiver pauses.
     script.clock_bits(&works(&beyond(&block.format)));
     script.wait(tests / 2);
     script.ready("parts", false);
@@ -79,11 +81,11 @@ pub(super) fn test_quarters(block: &CoverageTest) -> Scenario {
     script.clock_bits(&idle(block));
     script.wait(tests + 1);
     script.finish(
-        "the quarters of a window, of which one waits for the receiver; then a polygon that is beyond all of them",
+        "the quarters of a window, one of which waits for the receiver; then a polygon that is outside all of them",
     )
 }
 
-/// Long enough for every form: a single unit takes longest.
+/// The scenario is long enough for every form: a single unit takes longest.
 pub(super) fn find_pixels<B: Block<In = DividerIn, Out = DividerOut>>(
     block: &B,
     (format, test): (Format, Test),
@@ -99,9 +101,7 @@ pub(super) fn find_pixels<B: Block<In = DividerIn, Out = DividerOut>>(
     script.wait(10);
     script.ready("parts", true);
     script.wait(clocks.div_ceil(2) + 4);
-    script.finish(
-        "the window of all samples is divided down to single ones; half-way their receiver pauses for 10 clocks",
-    )
+    script.finish("the window of all samples is divided down to single ones; halfway the receiver pauses for 10 clocks")
 }
 
 pub(super) fn two_packets(set_up: &SetUp) -> Scenario {
@@ -146,7 +146,7 @@ pub(super) fn draw_thrice_and_send(buffer: &VideoBuffer) -> Scenario {
     script.hold(&VideoBufferIn { back: 1, scan: Scan { enable: 1, ..idle.scan }, ..idle }, 3);
     script.hold(&VideoBufferIn { back: 1, ..idle }, 2);
     script.finish(
-        "of three words drawn on a pixel in successive clocks the smallest stays; when it is sent it is cleared",
+        "three words are drawn on a pixel in successive clocks, and the smallest stays; sending it clears the pixel",
     )
 }
 

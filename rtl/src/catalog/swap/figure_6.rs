@@ -8,7 +8,7 @@ use crate::swap::{SwapControl, SwapControlIn};
 
 /// The processor clocks, in addition to T_m, until the merger has seen a swap and stored the contents of its chain.
 const CROSSINGS: u64 = 18;
-/// The processor clocks in which the merger, and then a local frame buffer, see a blanking and swap.
+/// The processor clocks in which the merger, and then a local frame buffer, sees a blanking and swaps.
 const BLANKING: u64 = 8;
 
 type Inputs = SwapControlIn<Bits>;
@@ -30,25 +30,25 @@ impl Figure<'_> {
         SwapControlIn { idle: self.all.clone(), bus, host, enable, ..idle(self.control) }
     }
 
-    /// Waits T_m, in which everything is sent.
+    /// T_m in processor clocks: the time in which everything is sent.
     fn merge_clocks(&self) -> u64 {
         self.control.local.merge_clocks
     }
 
     /// These processing elements clear their tables and draw for some clocks.
-    fn clear_and_draw(&mut self, who: &Bits, clocks: u64, others: &Inputs) {
+    fn clear_and_draw(&mut self, drawing: &Bits, clocks: u64, others: &Inputs) {
         let width = below(self.control.local.patches).bits();
         for entry in 0..u64::from(self.control.local.patches) {
             let entry = Bits::new(width, entry);
-            let patch = (1..who.width()).fold(entry.clone(), |all, _| all.concat(&entry));
-            self.script.clock_bits(&SwapControlIn { clears: who.clone(), patch, ..others.clone() });
+            let patch = (1..drawing.width()).fold(entry.clone(), |all, _| all.concat(&entry));
+            self.script.clock_bits(&SwapControlIn { clears: drawing.clone(), patch, ..others.clone() });
         }
         for _ in 0..clocks {
-            self.script.clock_bits(&SwapControlIn { draws: who.clone(), ..others.clone() });
+            self.script.clock_bits(&SwapControlIn { draws: drawing.clone(), ..others.clone() });
         }
     }
 
-    /// All finish drawing, the first some clocks before the others; one clock later the line is high for all to see.
+    /// All finish drawing, the first one some clocks before the others. One clock later all see the line high.
     fn end(&mut self, inputs: &Inputs) {
         let early = SwapControlIn { done: self.first.clone(), draws: self.others.clone(), ..inputs.clone() };
         (0..2).for_each(|_| self.script.clock_bits(&early));
@@ -95,6 +95,6 @@ pub(super) fn figure_6(control: &SwapControl) -> Scenario {
     let draws_on = SwapControlIn { done: overflows.done, sending: first.clone(), ..rests };
     figure.clear_and_draw(&first, 4, &draws_on);
     figure.script.finish(
-        "Figure 6, events 1 to 8: a frame ends, is merged and shown; one that is drawn early waits; one overflows a buffer, which swaps and draws on",
+        "Figure 6, events 1 to 8: a frame ends, is merged and shown; one that is drawn early waits; one overflows a buffer, which swaps, and drawing goes on",
     )
 }

@@ -123,7 +123,7 @@ fn print(rows: &[(&str, Row)]) {
         survive: sum.survive + row.survive,
         same: sum.same + row.same,
     });
-    println!("| block | mutants | found | of those without an end | survive | of those the same | found |");
+    println!("| block | mutants | found | of these, without an end | survive | of these, no difference | found |");
     println!("|---|---|---|---|---|---|---|");
     for (name, row) in rows.iter().map(|(name, row)| (*name, row)).chain([("all", &sum)]) {
         let Row { mutants, found, endless, survive, same } = row;
