@@ -142,8 +142,8 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2 (
     wire works_taken = works_valid & works_ready;                // rtl/src/quadtree/coverage_test.rs:102
     wire waits = ready & !parts_taken;                           // rtl/src/quadtree/coverage_test.rs:109
     assign idle = !busy & !works_valid;                          // rtl/src/quadtree/coverage_test.rs:115
-    wire size2_busy_equal = held_window_size == 2'd2;            // rtl/src/quadtree/coverage_test.rs:111
-    wire size1_busy_equal = held_window_size == 2'd1;            // rtl/src/quadtree/coverage_test.rs:111
+    wire held_window_size_is_2 = held_window_size == 2'd2;       // rtl/src/quadtree/coverage_test.rs:111
+    wire held_window_size_is_1 = held_window_size == 2'd1;       // rtl/src/quadtree/coverage_test.rs:111
 
     genvar i;
 
@@ -388,12 +388,12 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2 (
             if (passes | ends_quarter) step <= 3'd0;
             else if (busy & !ready) step <= step + 3'd1;
             if (tests) outside <= is_outside & !is_last;
-            if (busy & !waits & size2_busy_equal) size2_busy <= size2_busy + 32'd1;
-            if (waits & size2_busy_equal) size2_stalled <= size2_stalled + 32'd1;
-            if (parts_taken & size2_busy_equal) size2_results <= size2_results + 32'd1;
-            if (busy & !waits & size1_busy_equal) size1_busy <= size1_busy + 32'd1;
-            if (waits & size1_busy_equal) size1_stalled <= size1_stalled + 32'd1;
-            if (parts_taken & size1_busy_equal) size1_results <= size1_results + 32'd1;
+            if (busy & !waits & held_window_size_is_2) size2_busy <= size2_busy + 32'd1;
+            if (waits & held_window_size_is_2) size2_stalled <= size2_stalled + 32'd1;
+            if (parts_taken & held_window_size_is_2) size2_results <= size2_results + 32'd1;
+            if (busy & !waits & held_window_size_is_1) size1_busy <= size1_busy + 32'd1;
+            if (waits & held_window_size_is_1) size1_stalled <= size1_stalled + 32'd1;
+            if (parts_taken & held_window_size_is_1) size1_results <= size1_results + 32'd1;
         end
     end
 

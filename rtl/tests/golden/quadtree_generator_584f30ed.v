@@ -84,13 +84,13 @@ module quadtree_generator_584f30ed (
     wire [31:0] tally_stalled_picked_2;                          // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_results_picked_2;                          // rtl/src/quadtree/generator.rs:143
     wire [191:0] u_controller_words;                             // rtl/src/quadtree/generator.rs:128
-    wire [50:0] u_processor_packets_edges_a_part = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:111
-    wire [50:0] u_processor_packets_edges_b_part = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:111
-    wire [95:0] u_processor_packets_edges_c_part = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:111
-    wire [159:0] u_processor_packets_planes_x_part = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:111
-    wire [159:0] u_processor_packets_planes_y_part = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:111
-    wire [159:0] u_processor_packets_planes_origin_part = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:111
-    wire has_and = u_queue_out_valid & all_have;                 // rtl/src/quadtree/generator.rs:119
+    wire [50:0] u_queue_out_payload_721_671 = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:111
+    wire [50:0] u_queue_out_payload_670_620 = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:111
+    wire [95:0] u_queue_out_payload_619_524 = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:111
+    wire [159:0] u_queue_out_payload_523_364 = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:111
+    wire [159:0] u_queue_out_payload_363_204 = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:111
+    wire [159:0] u_queue_out_payload_203_44 = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:111
+    wire u_queue_out_valid_and_all_have = u_queue_out_valid & all_have; // rtl/src/quadtree/generator.rs:119
     wire waits = u_queue_out_valid & !all_have;                  // rtl/src/quadtree/generator.rs:121
     assign idle = !u_queue_out_valid & u_processor_idle_all;     // rtl/src/quadtree/generator.rs:141
     always @* begin
@@ -134,8 +134,8 @@ module quadtree_generator_584f30ed (
             wire [31:0] lane_fragments;
             wire lane_packets_ready;
             reg has;
-            wire all_have_and_2 = u_queue_out_valid & !has;
-            wire all_have_and = all_have_and_2 & lane_packets_ready;
+            wire u_queue_out_valid_and_not_has = u_queue_out_valid & !has;
+            wire all_have_and = u_queue_out_valid_and_not_has & lane_packets_ready;
             wire all_have_or = has | all_have_and;
             wire scan_enable = u_controller_scan_enable[i];
             wire [1:0] scan_x = u_controller_scan_x[i * 2 +: 2];
@@ -147,33 +147,33 @@ module quadtree_generator_584f30ed (
             localparam [31:0] place_bottom = 6 + (i / 2);
             wire [50:0] u_processor_packets_edges_a;
             for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_a_of
-                assign u_processor_packets_edges_a[j * 17 +: 17] = u_processor_packets_edges_a_part[j * 17 +: 17];
+                assign u_processor_packets_edges_a[j * 17 +: 17] = u_queue_out_payload_721_671[j * 17 +: 17];
             end
             wire [50:0] u_processor_packets_edges_b;
             for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_b_of
-                assign u_processor_packets_edges_b[j * 17 +: 17] = u_processor_packets_edges_b_part[j * 17 +: 17];
+                assign u_processor_packets_edges_b[j * 17 +: 17] = u_queue_out_payload_670_620[j * 17 +: 17];
             end
             wire [95:0] u_processor_packets_edges_c;
             for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_c_of
-                assign u_processor_packets_edges_c[j * 32 +: 32] = u_processor_packets_edges_c_part[j * 32 +: 32];
+                assign u_processor_packets_edges_c[j * 32 +: 32] = u_queue_out_payload_619_524[j * 32 +: 32];
             end
             wire [159:0] u_processor_packets_planes_x;
             for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_x_of
-                assign u_processor_packets_planes_x[j * 40 +: 40] = u_processor_packets_planes_x_part[j * 40 +: 40];
+                assign u_processor_packets_planes_x[j * 40 +: 40] = u_queue_out_payload_523_364[j * 40 +: 40];
             end
             wire [159:0] u_processor_packets_planes_y;
             for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_y_of
-                assign u_processor_packets_planes_y[j * 40 +: 40] = u_processor_packets_planes_y_part[j * 40 +: 40];
+                assign u_processor_packets_planes_y[j * 40 +: 40] = u_queue_out_payload_363_204[j * 40 +: 40];
             end
             wire [159:0] u_processor_packets_planes_origin;
             for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_origin_of
-                assign u_processor_packets_planes_origin[j * 40 +: 40] = u_processor_packets_planes_origin_part[j * 40 +: 40];
+                assign u_processor_packets_planes_origin[j * 40 +: 40] = u_queue_out_payload_203_44[j * 40 +: 40];
             end
 
             video_processor_4b528d89 lane (
                 .clk                   (clk),
                 .rst                   (rst),
-                .packets_valid         (all_have_and_2),
+                .packets_valid         (u_queue_out_valid_and_not_has),
                 .packets_last_edge     (u_queue_out_payload[724:722]),
                 .packets_edges_a       (u_processor_packets_edges_a),
                 .packets_edges_b       (u_processor_packets_edges_b),
@@ -212,7 +212,7 @@ module quadtree_generator_584f30ed (
 
             always @(posedge clk) begin
                 if (rst) has <= 1'b0;
-                else if (has_and) has <= 1'b0;
+                else if (u_queue_out_valid_and_all_have) has <= 1'b0;
                 else if (all_have_and) has <= 1'b1;
             end
         end
@@ -348,9 +348,9 @@ module quadtree_generator_584f30ed (
             broadcast_results <= 32'd0;
         end else begin
             if (swap) back <= !back;
-            if (has_and) broadcast_busy <= broadcast_busy + 32'd1;
+            if (u_queue_out_valid_and_all_have) broadcast_busy <= broadcast_busy + 32'd1;
             if (waits) broadcast_stalled <= broadcast_stalled + 32'd1;
-            if (has_and) broadcast_results <= broadcast_results + 32'd1;
+            if (u_queue_out_valid_and_all_have) broadcast_results <= broadcast_results + 32'd1;
         end
     end
 

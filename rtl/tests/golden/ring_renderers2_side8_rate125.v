@@ -117,13 +117,13 @@ module ring_renderers2_side8_rate125 (
     wire goes4 = wants4 & (credit3 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:215
     wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:217
     wire wants6_or = wants5_or | (wants5 & (credit4 < 9'd154));  // rtl/src/pixel_planes/ring.rs:216
-    wire wants6_or_2 = goes2 | goes3;                            // rtl/src/pixel_planes/ring.rs:220
-    wire wants6 = up_to_last[2] & (!wants6_or & !wants6_or_2);   // rtl/src/pixel_planes/ring.rs:213
+    wire goes2_or_goes3 = goes2 | goes3;                         // rtl/src/pixel_planes/ring.rs:220
+    wire wants6 = up_to_last[2] & (!wants6_or & !goes2_or_goes3); // rtl/src/pixel_planes/ring.rs:213
     wire goes5 = wants5 & (credit4 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:215
     wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:217
     wire wants7_inverse = !(wants6_or | (wants6 & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:212
     wire goes6 = wants6 & (credit5 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:215
-    wire wants7 = up_to_last[3] & (wants7_inverse & !(wants6_or_2 | goes6)); // rtl/src/pixel_planes/ring.rs:213
+    wire wants7 = up_to_last[3] & (wants7_inverse & !(goes2_or_goes3 | goes6)); // rtl/src/pixel_planes/ring.rs:213
     wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:217
     wire goes7 = wants7 & (credit6 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:215
     wire [3:0] granted = {goes3 | goes7, goes2 | goes6, goes1 | goes5, goes0 | goes4}; // rtl/src/pixel_planes/ring.rs:154
@@ -140,7 +140,7 @@ module ring_renderers2_side8_rate125 (
     assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:174
     wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:176
     wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:217
-    wire [8:0] credit_sum = credit7 + 9'd125;                    // rtl/src/pixel_planes/ring.rs:202
+    wire [8:0] credit7_plus_125 = credit7 + 9'd125;              // rtl/src/pixel_planes/ring.rs:202
 
     genvar i;
 
@@ -168,8 +168,8 @@ module ring_renderers2_side8_rate125 (
                 if (line_ends) line_of <= 2'd0;
                 else line_of <= of_plane;
             end
-            if (credit_sum > 9'd278) credit <= 9'd278;
-            else credit <= credit_sum;
+            if (credit7_plus_125 > 9'd278) credit <= 9'd278;
+            else credit <= credit7_plus_125;
             if (goes7) last <= 4'd8;
             else if (goes6) last <= 4'd4;
             else if (goes5) last <= 4'd2;

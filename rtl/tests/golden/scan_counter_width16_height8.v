@@ -1,6 +1,6 @@
 // scan_counter_width16_height8
 //
-// Counts the pixels of the screen in raster order, freely, from a preset on.
+// Counts the pixels of the screen in raster order from a preset on, frame after frame.
 //
 // Parameters  ScanCounter { screen: Screen { width: 16, height: 8 } }
 // Latency     1 clock
@@ -11,12 +11,12 @@
 module scan_counter_width16_height8 (
     input  wire       clk,
     input  wire       rst,
-    // From the global frame buffer.
+    // The control of the scan, from the global frame buffer.
     input  wire       scan_restart, // High for one clock: every scan counter loads its preset.
     // The counters, the read-out and the merging units advance by a pixel; while `enable` is low, they keep their
     // values.
     input  wire       scan_enable,
-    // Where a restart puts the counter; a constant.
+    // The pixel to which a restart sets the counter; a constant.
     input  wire [3:0] preset_x,     // The column of the pixel, counted from the left.
     input  wire [2:0] preset_y,     // The line of the pixel, counted from the top.
     // The pixel to send.

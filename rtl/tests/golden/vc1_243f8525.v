@@ -29,7 +29,7 @@ module vc1_243f8525 (
     input  wire        processors_0_sends_valid,
     input  wire [31:0] processors_0_sends_word,     // A word of the packet.
     input  wire        processors_0_sends_last,     // The word is the last of its packet.
-    input  wire        processors_0_done,           // The processor's frame is drawn.
+    input  wire        processors_0_done,           // The processor has drawn its frame.
     input  wire        processors_1_request_valid,
     input  wire [3:0]  processors_1_request_x,
     input  wire [2:0]  processors_1_request_y,
@@ -55,10 +55,10 @@ module vc1_243f8525 (
     input  wire [47:0] host_background,
     input  wire        processors_0_received_ready,
     input  wire        processors_1_received_ready,
-    // To each processor.
+    // The outputs to each processor.
     output wire [1:0]  processors_0_state,          // What the processor may do: a code of `SwapState`.
-    output wire [2:0]  processors_0_pages_used,     // How many pages are taken.
-    output wire        processors_0_idle,           // Nothing of the processor is under way.
+    output wire [2:0]  processors_0_pages_used,     // The number of pages taken.
+    output wire        processors_0_idle,           // No request of the processor is under way.
     // The word at the front of the processor's queue.
     output wire        processors_0_received_valid,
     output wire [31:0] processors_0_received_word,  // A word of the packet.
@@ -70,7 +70,7 @@ module vc1_243f8525 (
     output wire [31:0] processors_1_received_word,
     output wire        processors_1_received_last,
     output wire        line,                        // The sync line: all processors have drawn the frame.
-    // To the host.
+    // The outputs to the host.
     output wire        view_read_valid,             // The access of the previous clock was a read.
     output wire [47:0] view_read_word,              // The word of the pixel that was read last.
     // Blank pixels enter the chain: the round is the first since the banks were swapped.
@@ -78,7 +78,7 @@ module vc1_243f8525 (
     // A frame is stored in the global frame buffer, and waits for the blanking.
     output wire        is_merged,
     output wire        shown,                       // Toggles with each swap of the global frame buffer.
-    // To the display.
+    // The output to the display.
     output wire        pixel_valid,                 // The display gets a pixel in this clock.
     output wire [23:0] pixel_rgb,                   // The colour of the pixel.
     output wire        processors_0_request_ready,
