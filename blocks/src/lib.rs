@@ -64,6 +64,7 @@
 //! | [`BoxFilter`] | the sums of three by three cells, as a function [`window_sums`] | 1 | any |
 //! | [`Rotator`], [`FromDecimal`], [`SevenSegment`] | a rotated word, decimal digits as a number, a digit on a display | 1 | any |
 //! | [`Crc`], [`Quadrature`] | a check of a message, the position of a knob | 1, 2 | any |
+//! | [`Debouncer`] | a switch without its bounces | 2 clocks, and those that a level lasts | any |
 //! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable once in each period | 1 | any |
 //! | [`Counter`], [`UpDownCounter`], [`ShiftRegister`], [`Lfsr`] | counters, a shift register, a pseudo-random sequence | 1 | from inputs to outputs, except for [`Counter`]'s `wraps` and [`UpDownCounter`]'s `next` |
 //! | [`Decoder`], [`Encoder`], [`PriorityEncoder`] | one-hot codes, as functions [`one_hot`], [`index_of`], [`first`] and [`first_index`] | 0 | |
@@ -73,6 +74,7 @@ pub mod catalog;
 mod convert;
 mod counter;
 mod crc;
+mod debouncer;
 mod decimal;
 mod divider;
 mod dual_clock;
@@ -105,6 +107,7 @@ pub use arbiter::{Arbiter, ArbiterIn, Turns};
 pub use convert::{Narrow, Widen};
 pub use counter::{Counter, CounterIn, CounterOut};
 pub use crc::{BitOrder, Crc, CrcIn, CrcOut};
+pub use debouncer::{Debouncer, DebouncerIn, DebouncerOut};
 pub use decimal::{FromDecimal, FromDecimalIn, FromDecimalOut, SevenSegment, SevenSegmentIn, SevenSegmentOut};
 pub use divider::{Divider, DividerIn, DividerOut, Operands, Quotient};
 pub use dual_clock::DualClockFifo;

@@ -129,6 +129,8 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("pipelined-minimum", "index"), [0, 4, 0]);
     assert_eq!(values("box-filter", "sums"), [0, 0x0000_0101_0000_0101, 0x0002_0202_0002_0202, 0x0406_0604_0406_0604]);
     assert_eq!(values("quadrature", "position"), [0, 1, 2, 3, 2, 1, 0, 15, 14]);
+    assert_eq!(values("debouncer", "level"), [0, 1, 0]);
+    assert_eq!(values("debouncer", "falls"), [0, 1, 0]);
     assert_eq!(values("power-on-reset", "reset"), [1, 0, 1, 0]);
     assert_eq!(values("multiplier", "product"), [0, 15, 225, 63, 0]);
     assert_eq!(values("ram", "word"), [0, 0x22, 0x11, 0xaa, 0x33]);

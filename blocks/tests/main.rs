@@ -3,6 +3,7 @@
 mod catalog;
 mod formal;
 mod messages;
+mod pins;
 mod small;
 mod streams;
 mod verilog;

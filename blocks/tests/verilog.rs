@@ -75,6 +75,9 @@ fn blocks() -> Vec<(String, Design)> {
     blocks.push(designed(Crc::new(16, 0x1021, 0xffff, BitOrder::MostFirst)));
     blocks.push(designed(Crc::new(5, 0x05, 0x1f, BitOrder::LeastFirst)));
     blocks.push(designed(Quadrature::new(4)));
+    for (clocks, idle) in [(1, true), (5, false)] {
+        blocks.push(designed(Debouncer { clocks, idle }));
+    }
     blocks.push(designed(PowerOnReset::new(3)));
     blocks.push(designed(Ticks::new(5)));
     blocks

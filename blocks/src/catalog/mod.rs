@@ -4,6 +4,7 @@ mod codes;
 mod many;
 mod memories;
 mod numbers;
+mod pins;
 mod small;
 mod streams;
 
@@ -40,6 +41,7 @@ pub const ENTRIES: &[Entry] = &[
     small::QUADRATURE,
     small::POWER_ON_RESET,
     small::TICKS,
+    pins::DEBOUNCER,
     codes::DECODER,
     codes::ENCODER,
     codes::PRIORITY_ENCODER,

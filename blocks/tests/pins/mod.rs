@@ -1,0 +1,3 @@
+//! The blocks at the pins of a chip.
+
+mod debouncer;
