@@ -55,6 +55,7 @@
 //! | [`Narrow`] | splits words into parts | 0 | from `ready` to `valid` |
 //! | [`Widen`] | joins parts into words | 1 from the last | from `into` to `out` |
 //! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
+//! | [`SpiMaster`] | words to and from a slave on four lines | 2 half periods for each bit, and 1 clock | from `into` to `out`, and all pins |
 //! | [`Ram`] | a memory that is written byte by byte | 1 | any |
 //! | [`DualClockRam`] | the same, written on one clock and read on another | 1 read clock | any |
 //! | [`VectorRegisters`] | registers that are written lane by lane | 0 to read | from the write ports to the read values |
@@ -95,6 +96,7 @@ mod shift;
 mod shifter;
 mod sine;
 mod slice;
+mod spi;
 mod split;
 mod square_root;
 mod start;
@@ -131,6 +133,7 @@ pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};
 pub use shifter::{Shifter, ShifterIn, ShifterOut, Shifting};
 pub use sine::{OnCircle, SineCosine, SineCosineOut};
 pub use slice::{RegisterSlice, Slice};
+pub use spi::{SpiMaster, SpiMasterIn, SpiMasterOut, SpiWord};
 pub use split::{Addressed, Split, SplitIn, SplitOut};
 pub use square_root::{Root, SquareRoot, SquareRootOut};
 pub use start::{PowerOnReset, PowerOnResetIn, PowerOnResetOut, Ticks, TicksIn, TicksOut};

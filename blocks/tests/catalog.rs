@@ -93,6 +93,7 @@ fn the_scenarios_show_what_they_say() {
     assert_eq!(words("priority-arbiter", "out"), [0; 7]);
     assert_eq!(words("narrow", "out"), [7, 0, 0, 9, 0, 0]);
     assert_eq!(words("widen", "out"), [0x321, 0x999]);
+    assert_eq!(words("spi-master", "received"), [9, 6, 5]);
 }
 
 /// The values of an output of a block with one clock in an entry's scenario, just before each edge, without repetitions.
@@ -131,6 +132,7 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("quadrature", "position"), [0, 1, 2, 3, 2, 1, 0, 15, 14]);
     assert_eq!(values("debouncer", "level"), [0, 1, 0]);
     assert_eq!(values("debouncer", "falls"), [0, 1, 0]);
+    assert_eq!(values("spi-master", "cs_n"), [1, 0, 1, 0, 1]);
     assert_eq!(values("power-on-reset", "reset"), [1, 0, 1, 0]);
     assert_eq!(values("multiplier", "product"), [0, 15, 225, 63, 0]);
     assert_eq!(values("ram", "word"), [0, 0x22, 0x11, 0xaa, 0x33]);

@@ -78,6 +78,9 @@ fn blocks() -> Vec<(String, Design)> {
     for (clocks, idle) in [(1, true), (5, false)] {
         blocks.push(designed(Debouncer { clocks, idle }));
     }
+    for (mode, half_period) in (0..4).zip([1, 1, 2, 3]) {
+        blocks.push(designed(SpiMaster { width: 5 - mode, half_period, mode }));
+    }
     blocks.push(designed(PowerOnReset::new(3)));
     blocks.push(designed(Ticks::new(5)));
     blocks

@@ -42,6 +42,7 @@ pub const ENTRIES: &[Entry] = &[
     small::POWER_ON_RESET,
     small::TICKS,
     pins::DEBOUNCER,
+    pins::SPI_MASTER,
     codes::DECODER,
     codes::ENCODER,
     codes::PRIORITY_ENCODER,

@@ -1,8 +1,8 @@
 //! The entries of blocks at the pins of a chip.
 
-use crate::{Debouncer, DebouncerIn};
+use crate::{Debouncer, DebouncerIn, SpiMaster, SpiMasterIn, SpiWord};
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
-use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
+use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, Stream, elaborate};
 
 pub(super) const DEBOUNCER: Entry = Entry {
     name: "debouncer",
@@ -13,6 +13,18 @@ pub(super) const DEBOUNCER: Entry = Entry {
     ],
     design: |values| Ok(elaborate(&debouncer(values))?),
     scenario: |values| Ok(bounces(&debouncer(values))),
+};
+
+pub(super) const SPI_MASTER: Entry = Entry {
+    name: "spi-master",
+    summary: "exchanges words with a slave on four lines",
+    parameters: &[
+        Parameter { name: "width", default: 4, min: 4, max: 64, meaning: "bits of a word" },
+        Parameter { name: "clocks", default: 2, min: 1, max: 1 << 31, meaning: "how long half a period of sck is" },
+        Parameter { name: "mode", default: 0, min: 0, max: 3, meaning: "2 CPOL + CPHA" },
+    ],
+    design: |values| Ok(elaborate(&spi_master(values))?),
+    scenario: |values| Ok(two_frames(&spi_master(values))),
 };
 
 fn debouncer(values: &Values) -> Debouncer {
@@ -27,4 +39,33 @@ fn bounces(debouncer: &Debouncer) -> Scenario {
         script.hold(&DebouncerIn { line: line ^ idle }, clocks);
     }
     script.finish("a switch is pressed and released, and bounces each time; the level changes once")
+}
+
+fn spi_master(values: &Values) -> SpiMaster {
+    let [width, half_period, mode] = ["width", "clocks", "mode"].map(|name| values.get_u32(name));
+    SpiMaster { width, half_period, mode }
+}
+
+fn two_frames(master: &SpiMaster) -> Scenario {
+    let mut script = Script::new(master, DEFAULT_PERIOD);
+    let wait = 2 * u64::from(master.half_period) + 2;
+    let waits = SpiMasterIn { send: Stream::of(1, SpiWord { word: 5, last: 1 }), miso: 0 };
+    script.ready("received", true);
+    exchange(&mut script, master, SpiWord { word: 9, last: 0 });
+    exchange(&mut script, master, SpiWord { word: 6, last: 1 });
+    script.ready("received", false);
+    script.hold(&waits, wait);
+    script.ready("received", true);
+    exchange(&mut script, master, SpiWord { word: 5, last: 1 });
+    script.wait(wait);
+    script.finish("two words with the slave selected, and one more after a pause; the slave sends back each bit")
+}
+
+/// A word for a slave that sends it back, and changes its bits where the master does.
+fn exchange(script: &mut Script<SpiMaster>, master: &SpiMaster, word: SpiWord<u64>) {
+    script.clock(&SpiMasterIn { send: Stream::of(1, word), miso: 0 });
+    for place in (0..master.width).rev() {
+        let bit = SpiMasterIn { send: Stream::of(0, SpiWord { word: 0, last: 0 }), miso: word.word >> place & 1 };
+        script.hold(&bit, 2 * master.half_period);
+    }
 }

@@ -1,3 +1,4 @@
 //! The blocks at the pins of a chip.
 
 mod debouncer;
+mod spi;
