@@ -68,11 +68,14 @@
 //! | [`Debouncer`] | a switch without its bounces | 2 clocks, and those that a level lasts | any |
 //! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable once in each period | 1 | any |
 //! | [`Counter`], [`UpDownCounter`], [`ShiftRegister`], [`Lfsr`] | counters, a shift register, a pseudo-random sequence | 1 | from inputs to outputs, except for [`Counter`]'s `wraps` and [`UpDownCounter`]'s `next` |
+//! | [`CountOnes`] | the number of ones, as a function [`count_ones`] | 0 | |
+//! | [`Quantizer`] | a rounded and saturated number, as functions [`round`] and [`saturate`] | 1 | any |
 //! | [`Decoder`], [`Encoder`], [`PriorityEncoder`] | one-hot codes, as functions [`one_hot`], [`index_of`], [`first`] and [`first_index`] | 0 | |
 
 mod arbiter;
 pub mod catalog;
 mod convert;
+mod count_ones;
 mod counter;
 mod crc;
 mod debouncer;
@@ -92,6 +95,7 @@ mod ports;
 mod quadrature;
 mod ram;
 mod rotator;
+mod rounding;
 mod shift;
 mod shifter;
 mod sine;
@@ -107,6 +111,7 @@ mod window;
 
 pub use arbiter::{Arbiter, ArbiterIn, Turns};
 pub use convert::{Narrow, Widen};
+pub use count_ones::{CountOnes, CountOnesIn, CountOnesOut, count_ones};
 pub use counter::{Counter, CounterIn, CounterOut};
 pub use crc::{BitOrder, Crc, CrcIn, CrcOut};
 pub use debouncer::{Debouncer, DebouncerIn, DebouncerOut};
@@ -129,6 +134,7 @@ pub use ports::{StreamIn, StreamOut};
 pub use quadrature::{Quadrature, QuadratureIn, QuadratureOut, Turn};
 pub use ram::{DualClockRam, DualClockRamIn, DualClockRamOut, Ram, RamIn, RamOut};
 pub use rotator::{Rotator, RotatorIn, RotatorOut};
+pub use rounding::{Quantizer, QuantizerIn, QuantizerOut, Ties, round, saturate};
 pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};
 pub use shifter::{Shifter, ShifterIn, ShifterOut, Shifting};
 pub use sine::{OnCircle, SineCosine, SineCosineOut};

@@ -121,6 +121,8 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("encoder", "index"), [0, 1, 2, 3, 4, 0]);
     assert_eq!(values("priority-encoder", "first"), [0, 16, 8, 4, 2, 1]);
     assert_eq!(values("priority-encoder", "index"), [0, 4, 3, 2, 1, 0]);
+    assert_eq!(values("count-ones", "ones"), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(values("quantizer", "rounded"), [0, 2, 0, 14, 2, 7, 8]);
     assert_eq!(values("from-decimal", "number"), [0, 456, 999, 1]);
     assert_eq!(values("seven-segment", "segments")[..3], [0x3f, 0x06, 0x5b]);
     assert_eq!(values("up-down-counter", "count"), [0, 4, 3, 4, 0, 1, 2, 0]);

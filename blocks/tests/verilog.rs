@@ -81,6 +81,10 @@ fn blocks() -> Vec<(String, Design)> {
     for (mode, half_period) in (0..4).zip([1, 1, 2, 3]) {
         blocks.push(designed(SpiMaster { width: 5 - mode, half_period, mode }));
     }
+    for (width, places, kept, ties) in [(5, 2, 1, Ties::Up), (8, 3, 6, Ties::Even), (9, 1, 3, Ties::Even)] {
+        blocks.push(designed(CountOnes { width: width - 4 }));
+        blocks.push(designed(Quantizer { width, places, kept, ties }));
+    }
     blocks.push(designed(PowerOnReset::new(3)));
     blocks.push(designed(Ticks::new(5)));
     blocks

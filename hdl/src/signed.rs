@@ -47,6 +47,25 @@ impl Signal {
         Signal { kind: Kind::Signed, ..self }
     }
 
+    /// Whether the bits are read in two's complement, which is known while the block is built.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # tilewright_sim::example(|m| {
+    /// /// One bit more, with the same value.
+    /// fn wider(number: Signal) -> Signal {
+    ///     let width = number.width() + 1;
+    ///     if number.is_signed() { number.sext(width) } else { number.zext(width) }
+    /// }
+    ///
+    /// m.assert(wider(lit(4, 0xf)).eq(15), "unsigned, ..");
+    /// m.assert(wider(lit(4, 0xf).signed()).eq(-1), ".. and signed");
+    /// # });
+    /// ```
+    pub fn is_signed(self) -> bool {
+        self.kind == Kind::Signed
+    }
+
     /// The same bits read as an unsigned number.
     ///
     /// ```

@@ -1,8 +1,8 @@
 //! The entries of codes and digits.
 
 use crate::{
-    Decoder, DecoderIn, Encoder, EncoderIn, FromDecimal, FromDecimalIn, PriorityEncoder, PriorityEncoderIn,
-    SevenSegment, SevenSegmentIn,
+    CountOnes, CountOnesIn, Decoder, DecoderIn, Encoder, EncoderIn, FromDecimal, FromDecimalIn, PriorityEncoder,
+    PriorityEncoderIn, SevenSegment, SevenSegmentIn,
 };
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
@@ -31,6 +31,14 @@ pub(super) const PRIORITY_ENCODER: Entry = Entry {
     parameters: &[LINES],
     design: |values| Ok(elaborate(&priority_encoder(values))?),
     scenario: |values| Ok(more_and_more(&priority_encoder(values), values.get("lines"))),
+};
+
+pub(super) const COUNT_ONES: Entry = Entry {
+    name: "count-ones",
+    summary: "counts the ones in a word",
+    parameters: &[Parameter { name: "lines", default: 5, min: 1, max: 64, meaning: "bits of the word" }],
+    design: |values| Ok(elaborate(&count_ones(values))?),
+    scenario: |values| Ok(one_more_each(&count_ones(values))),
 };
 
 pub(super) const SEVEN_SEGMENT: Entry = Entry {
@@ -86,6 +94,20 @@ fn more_and_more(encoder: &PriorityEncoder, lines: u64) -> Scenario {
         script.clock(&PriorityEncoderIn { requests: from_there_on });
     }
     script.finish("the last line is high, and then more and more lines before it")
+}
+
+fn count_ones(values: &Values) -> CountOnes {
+    CountOnes { width: values.get_u32("lines") }
+}
+
+fn one_more_each(count: &CountOnes) -> Scenario {
+    let mut script = Script::new(count, DEFAULT_PERIOD);
+    for ones in 0..=count.width {
+        // Every second place first.
+        let places = (0..count.width).step_by(2).chain((1..count.width).step_by(2)).take(ones as usize);
+        script.clock(&CountOnesIn { word: places.map(|place| 1 << place).sum() });
+    }
+    script.finish("words with no one, with one, and so on; the last one has only ones")
 }
 
 fn every_digit() -> Scenario {

@@ -2,7 +2,8 @@
 
 use crate::{
     BitOrder, Crc, CrcIn, Divider, DividerIn, Multiplier, MultiplierIn, MultiplyAccumulate, MultiplyAccumulateIn,
-    Operands, Rotator, RotatorIn, Shifter, ShifterIn, Shifting, SineCosine, SquareRoot, StreamIn,
+    Operands, Quantizer, QuantizerIn, Rotator, RotatorIn, Shifter, ShifterIn, Shifting, SineCosine, SquareRoot,
+    StreamIn, Ties,
 };
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{Codes, DEFAULT_PERIOD, Scenario, Script, Stream, elaborate};
@@ -43,6 +44,17 @@ pub(super) const SHIFTER: Entry = Entry {
     parameters: &[Parameter { name: "width", default: 8, min: 4, max: 64, meaning: "bits of a word" }],
     design: |values| Ok(elaborate(&shifter(values))?),
     scenario: |values| Ok(every_kind(&shifter(values))),
+};
+
+pub(super) const QUANTIZER: Entry = Entry {
+    name: "quantizer",
+    summary: "rounds and saturates a number",
+    parameters: &[
+        Parameter { name: "places", default: 3, min: 1, max: 24, meaning: "bits below the unit, which go" },
+        Parameter { name: "kept", default: 4, min: 2, max: 36, meaning: "bits that stay, of two more" },
+    ],
+    design: |values| Ok(elaborate(&quantizer(values))?),
+    scenario: |values| Ok(halves_and_limits(&quantizer(values))),
 };
 
 pub(super) const DIVIDER: Entry = Entry {
@@ -136,6 +148,24 @@ fn every_kind(shifter: &Shifter) -> Scenario {
     }
     script.hold(&ShifterIn { enable: 1, word: 0, places: 0, kind: 0 }, 6);
     script.finish("9 is shifted to the left, to the right, and to the right with its sign, each by 0 to 3 places")
+}
+
+fn quantizer(values: &Values) -> Quantizer {
+    let (places, kept) = (values.get_u32("places"), values.get_u32("kept"));
+    Quantizer { width: places + kept + 2, places, kept, ties: Ties::Even }
+}
+
+fn halves_and_limits(quantizer: &Quantizer) -> Scenario {
+    let mut script = Script::new(quantizer, DEFAULT_PERIOD);
+    let half = 1i64 << (quantizer.places - 1);
+    let limit = 1i64 << (quantizer.width - 1);
+    let all = u64::MAX >> (64 - quantizer.width);
+    for number in [half, 3 * half, -half, -3 * half, 3 * half + 1, limit - 1, -limit] {
+        script.clock(&QuantizerIn { enable: 1, number: number as u64 & all });
+    }
+    script.hold(&QuantizerIn { enable: 0, number: 0 }, 2);
+    script
+        .finish("0.5, 1.5, -0.5, -1.5, a little more than 1.5, the greatest number and the least; then the last stays")
 }
 
 fn divider(values: &Values) -> Divider {

@@ -6,4 +6,5 @@ mod decimal;
 mod many;
 mod memories;
 mod numbers;
+mod rounding;
 mod start;
