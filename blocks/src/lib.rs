@@ -65,6 +65,7 @@
 //! | [`BoxFilter`] | the sums of three by three cells, as a function [`window_sums`] | 1 | any |
 //! | [`Rotator`], [`FromDecimal`], [`SevenSegment`] | a rotated word, decimal digits as a number, a digit on a display | 1 | any |
 //! | [`Crc`], [`Quadrature`] | a check of a message, the position of a knob | 1, 2 | any |
+//! | [`VideoTiming`], [`TmdsEncoder`] | positions and sync pulses of a screen, a colour as symbols of DVI | 1, 2 | any |
 //! | [`Debouncer`] | a switch without its bounces | 2 clocks, and those that a level lasts | any |
 //! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable once in each period | 1 | any |
 //! | [`Counter`], [`UpDownCounter`], [`ShiftRegister`], [`Lfsr`] | counters, a shift register, a pseudo-random sequence | 1 | from inputs to outputs, except for [`Counter`]'s `wraps` and [`UpDownCounter`]'s `next` |
@@ -105,8 +106,10 @@ mod split;
 mod square_root;
 mod start;
 mod streams;
+mod tmds;
 mod up_down;
 mod vector_registers;
+mod video_timing;
 mod window;
 
 pub use arbiter::{Arbiter, ArbiterIn, Turns};
@@ -144,6 +147,8 @@ pub use split::{Addressed, Split, SplitIn, SplitOut};
 pub use square_root::{Root, SquareRoot, SquareRootOut};
 pub use start::{PowerOnReset, PowerOnResetIn, PowerOnResetOut, Ticks, TicksIn, TicksOut};
 pub use streams::StreamBlocks;
+pub use tmds::{TmdsEncoder, TmdsEncoderIn, TmdsEncoderOut};
 pub use up_down::{UpDownCounter, UpDownCounterIn, UpDownCounterOut};
 pub use vector_registers::{VectorRegisters, VectorRegistersIn, VectorRegistersOut};
+pub use video_timing::{Scan, VideoTiming, VideoTimingIn, VideoTimingOut};
 pub use window::{BoxFilter, BoxFilterIn, BoxFilterOut, window_sums};

@@ -134,6 +134,10 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("quadrature", "position"), [0, 1, 2, 3, 2, 1, 0, 15, 14]);
     assert_eq!(values("debouncer", "level"), [0, 1, 0]);
     assert_eq!(values("debouncer", "falls"), [0, 1, 0]);
+    assert_eq!(values("video-timing", "y"), [0, 1, 2, 3, 4, 0]);
+    assert_eq!(values("video-timing", "hsync"), [1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1]);
+    assert_eq!(values("video-timing", "vsync"), [1, 0, 1]);
+    assert_eq!(values("tmds-encoder", "symbol")[4..6], [0x100, 0x3ff]);
     assert_eq!(values("spi-master", "cs_n"), [1, 0, 1, 0, 1]);
     assert_eq!(values("power-on-reset", "reset"), [1, 0, 1, 0]);
     assert_eq!(values("multiplier", "product"), [0, 15, 225, 63, 0]);

@@ -81,6 +81,13 @@ fn blocks() -> Vec<(String, Design)> {
     for (mode, half_period) in (0..4).zip([1, 1, 2, 3]) {
         blocks.push(designed(SpiMaster { width: 5 - mode, half_period, mode }));
     }
+    blocks.push(designed(TmdsEncoder));
+    for (columns, rows) in [
+        (Scan::new(5, [1, 2, 3], false), Scan::new(3, [2, 1, 0], true)),
+        (Scan::new(1, [0, 1, 0], true), Scan::new(2, [0, 2, 1], false)),
+    ] {
+        blocks.push(designed(VideoTiming { columns, rows }));
+    }
     for (width, places, kept, ties) in [(5, 2, 1, Ties::Up), (8, 3, 6, Ties::Even), (9, 1, 3, Ties::Even)] {
         blocks.push(designed(CountOnes { width: width - 4 }));
         blocks.push(designed(Quantizer { width, places, kept, ties }));

@@ -7,6 +7,7 @@ mod numbers;
 mod pins;
 mod small;
 mod streams;
+mod video;
 
 use tilewright_hdl::catalog::Entry;
 
@@ -43,6 +44,8 @@ pub const ENTRIES: &[Entry] = &[
     small::TICKS,
     pins::DEBOUNCER,
     pins::SPI_MASTER,
+    video::VIDEO_TIMING,
+    video::TMDS_ENCODER,
     codes::DECODER,
     codes::ENCODER,
     codes::PRIORITY_ENCODER,

@@ -2,3 +2,5 @@
 
 mod debouncer;
 mod spi;
+mod tmds;
+mod video_timing;
