@@ -56,6 +56,7 @@
 //! | [`Widen`] | joins parts into words | 1 from the last | from `into` to `out` |
 //! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
 //! | [`SpiMaster`] | words to and from a slave on four lines | 2 half periods for each bit, and 1 clock | from `into` to `out`, and all pins |
+//! | [`AxiLiteRegisters`] | registers behind AXI4-Lite | 1 | any |
 //! | [`Ram`] | a memory that is written byte by byte | 1 | any |
 //! | [`DualClockRam`] | the same, written on one clock and read on another | 1 read clock | any |
 //! | [`VectorRegisters`] | registers that are written lane by lane | 0 to read | from the write ports to the read values |
@@ -74,6 +75,7 @@
 //! | [`Decoder`], [`Encoder`], [`PriorityEncoder`] | one-hot codes, as functions [`one_hot`], [`index_of`], [`first`] and [`first_index`] | 0 | |
 
 mod arbiter;
+mod axi_lite;
 pub mod catalog;
 mod convert;
 mod count_ones;
@@ -113,6 +115,10 @@ mod video_timing;
 mod window;
 
 pub use arbiter::{Arbiter, ArbiterIn, Turns};
+pub use axi_lite::{
+    AxiLiteAddress, AxiLiteAnswer, AxiLiteData, AxiLiteRegisters, AxiLiteRegistersIn, AxiLiteRegistersOut, AxiLiteWord,
+    AxiResponse,
+};
 pub use convert::{Narrow, Widen};
 pub use count_ones::{CountOnes, CountOnesIn, CountOnesOut, count_ones};
 pub use counter::{Counter, CounterIn, CounterOut};

@@ -92,6 +92,9 @@ fn blocks() -> Vec<(String, Design)> {
         blocks.push(designed(CountOnes { width: width - 4 }));
         blocks.push(designed(Quantizer { width, places, kept, ties }));
     }
+    for (width, registers, status) in [(32, 1, 0), (64, 2, 1)] {
+        blocks.push(designed(AxiLiteRegisters { address: 5, width, registers, status }));
+    }
     blocks.push(designed(PowerOnReset::new(3)));
     blocks.push(designed(Ticks::new(5)));
     blocks

@@ -1,5 +1,6 @@
 //! The blocks of the library by name, with their parameters and scenarios.
 
+mod axi;
 mod codes;
 mod many;
 mod memories;
@@ -35,6 +36,7 @@ pub const ENTRIES: &[Entry] = &[
     streams::PRIORITY_ARBITER,
     streams::NARROW,
     streams::WIDEN,
+    axi::AXI_LITE_REGISTERS,
     small::COUNTER,
     small::UP_DOWN_COUNTER,
     small::SHIFT_REGISTER,

@@ -1,5 +1,6 @@
 //! The blocks of streams: under stalls, and clock by clock.
 
+mod axi_lite;
 mod clocks;
 mod crossing;
 mod exact;
