@@ -54,6 +54,7 @@
 //! | [`Arbiter`] | several streams to one, round robin or by priority | 0 | from `ready` to `valid` |
 //! | [`Narrow`] | splits words into parts | 0 | from `ready` to `valid` |
 //! | [`Widen`] | joins parts into words | 1 from the last | from `into` to `out` |
+//! | [`ToAxiStream`], [`FromAxiStream`] | packets of bytes to and from AXI4-Stream | 1 from the last, 2 | from `into` to `out` |
 //! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
 //! | [`SpiMaster`] | words to and from a slave on four lines | 2 half periods for each bit, and 1 clock | from `into` to `out`, and all pins |
 //! | [`AxiLiteRegisters`] | registers behind AXI4-Lite | 1 | any |
@@ -76,6 +77,7 @@
 
 mod arbiter;
 mod axi_lite;
+mod axi_stream;
 pub mod catalog;
 mod convert;
 mod count_ones;
@@ -118,6 +120,9 @@ pub use arbiter::{Arbiter, ArbiterIn, Turns};
 pub use axi_lite::{
     AxiLiteAddress, AxiLiteAnswer, AxiLiteData, AxiLiteRegisters, AxiLiteRegistersIn, AxiLiteRegistersOut, AxiLiteWord,
     AxiResponse,
+};
+pub use axi_stream::{
+    AxiBeat, FromAxiStream, FromAxiStreamIn, FromAxiStreamOut, PacketByte, ToAxiStream, ToAxiStreamIn, ToAxiStreamOut,
 };
 pub use convert::{Narrow, Widen};
 pub use count_ones::{CountOnes, CountOnesIn, CountOnesOut, count_ones};

@@ -94,6 +94,8 @@ fn blocks() -> Vec<(String, Design)> {
     }
     for (width, registers, status) in [(32, 1, 0), (64, 2, 1)] {
         blocks.push(designed(AxiLiteRegisters { address: 5, width, registers, status }));
+        blocks.push(designed(ToAxiStream { lanes: 2 * registers - 1 }));
+        blocks.push(designed(FromAxiStream { lanes: 2 * registers - 1 }));
     }
     blocks.push(designed(PowerOnReset::new(3)));
     blocks.push(designed(Ticks::new(5)));

@@ -37,6 +37,8 @@ pub const ENTRIES: &[Entry] = &[
     streams::NARROW,
     streams::WIDEN,
     axi::AXI_LITE_REGISTERS,
+    axi::TO_AXI_STREAM,
+    axi::FROM_AXI_STREAM,
     small::COUNTER,
     small::UP_DOWN_COUNTER,
     small::SHIFT_REGISTER,

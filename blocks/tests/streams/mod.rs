@@ -1,6 +1,7 @@
 //! The blocks of streams: under stalls, and clock by clock.
 
 mod axi_lite;
+mod axi_stream;
 mod clocks;
 mod crossing;
 mod exact;
