@@ -3,6 +3,7 @@
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
+use std::slice;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tilewright_mutants::{Mutant, VARIABLE};
@@ -15,6 +16,8 @@ const PATIENCE: Duration = Duration::from_secs(30);
 pub struct Crate {
     package: &'static str,
     targets: &'static [&'static str],
+    /// What the paths of its tests contain, where a block names no tests of its own; nothing if all are meant.
+    tests: &'static [&'static str],
 }
 
 impl Crate {
@@ -25,9 +28,10 @@ impl Crate {
 }
 
 /// The machines' blocks.
-pub const RTL: Crate = Crate { package: "tilewright-rtl", targets: &["--lib"] };
+pub const RTL: Crate = Crate { package: "tilewright-rtl", targets: &["--lib"], tests: &[] };
 /// The library.
-pub const BLOCKS: Crate = Crate { package: "tilewright-blocks", targets: &["--test=small", "--test=streams"] };
+pub const BLOCKS: Crate =
+    Crate { package: "tilewright-blocks", targets: &["--test=all"], tests: &["small::", "streams::", "pins::"] };
 
 /// What the tests say of a mutant.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,6 +49,7 @@ pub enum Verdict {
 /// The programs.
 pub struct Suite {
     programs: Vec<PathBuf>,
+    of: Crate,
     /// Of the inputs that tests draw.
     seed: u64,
 }
@@ -63,10 +68,10 @@ impl Suite {
         let program = |line: &str| line.trim().strip_prefix("Executable")?.split(['(', ')']).nth(1).map(PathBuf::from);
         let programs: Vec<PathBuf> = text.lines().filter_map(program).collect();
         let built = output.status.success() && programs.len() == of.targets.len();
-        if built { Ok(Suite { programs, seed }) } else { Err(text) }
+        if built { Ok(Suite { programs, of, seed }) } else { Err(text) }
     }
 
-    /// Runs the tests whose path contains `tests` with a mutant, or without one.
+    /// Runs the tests whose path contains `tests`, or those of the crate if that is empty, with a mutant or without one.
     ///
     /// # Panics
     ///
@@ -74,7 +79,8 @@ impl Suite {
     pub fn run(&self, tests: &str, mutant: Option<&Mutant>) -> Verdict {
         let run = |program: &PathBuf| {
             let mut command = Command::new(program);
-            command.args([tests, "--test-threads=1"]).env("PROPTEST_RNG_SEED", self.seed.to_string());
+            command.args(if tests.is_empty() { self.of.tests } else { slice::from_ref(&tests) });
+            command.arg("--test-threads=1").env("PROPTEST_RNG_SEED", self.seed.to_string());
             command.env("PROPTEST_MAX_SHRINK_ITERS", "0").stdout(Stdio::piped()).stderr(Stdio::null());
             match mutant {
                 Some(mutant) => command.env(VARIABLE, mutant.to_string()),
