@@ -2,9 +2,10 @@
 
 use super::suite::{BLOCKS, Crate, RTL};
 use tilewright_blocks::{
-    Arbiter, BitOrder, Counter, Crc, Divider, DualClockFifo, DualClockRam, Fifo, Fork, Lfsr, Multiplier, Narrow,
-    PowerOnReset, Quadrature, Ram, RegisterSlice, ShiftRegister, Shifter, SineCosine, Slice, SquareRoot, Storage,
-    Ticks, Turns, VectorRegisters, Widen,
+    Arbiter, AxiLiteRegisters, BitOrder, Counter, Crc, Debouncer, Divider, DualClockFifo, DualClockRam, Fifo, Fork,
+    FromAxiStream, Lfsr, Multiplier, Narrow, PowerOnReset, Quadrature, Quantizer, Ram, RegisterSlice, Scan,
+    ShiftRegister, Shifter, SineCosine, Slice, SpiMaster, SquareRoot, Storage, Ticks, Ties, TmdsEncoder, ToAxiStream,
+    Turns, VectorRegisters, VideoTiming, Widen,
 };
 use tilewright_hdl::{Block, Clock, Design, Period, elaborate};
 use tilewright_mutants::{Mutant, mutants};
@@ -88,6 +89,14 @@ fn blocks() -> Vec<Design> {
         design(&ShiftRegister::new(6)),
         design(&Lfsr::new(8)),
         design(&Quadrature::new(4)),
+        design(&Debouncer { clocks: 3, idle: false }),
+        design(&SpiMaster { width: 3, half_period: 2, mode: 1 }),
+        design(&VideoTiming { columns: Scan::new(3, [1, 2, 1], false), rows: Scan::new(2, [1, 1, 1], true) }),
+        design(&TmdsEncoder),
+        design(&AxiLiteRegisters { address: 4, width: 32, registers: 2, status: 1 }),
+        design(&ToAxiStream { lanes: 3 }),
+        design(&FromAxiStream { lanes: 3 }),
+        design(&Quantizer { width: 8, places: 3, kept: 4, ties: Ties::Even }),
         design(&PowerOnReset::new(3)),
         design(&Ticks::new(5)),
         design(&Ram::new(5, 2)),
