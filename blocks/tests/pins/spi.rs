@@ -137,6 +137,23 @@ fn every_mode_samples_what_is_stable() {
     }
 }
 
+#[test]
+fn a_word_waits_until_the_one_received_before_it_is_taken() {
+    let mut sim = Simulation::of(&SpiMaster { width: 4, half_period: 1, mode: 0 }).unwrap();
+    sim.reset();
+    sim.set(sim.i.send.valid, 1);
+    sim.set(sim.i.miso, 1);
+    sim.run(9);
+    sim.set(sim.i.miso, 0);
+    for clock in 0..20 {
+        let seen = [sim.i.send.ready, sim.o.received.valid, sim.o.received.payload].map(|port| sim.get_u64(port));
+        assert_eq!(seen, [0, 1, 0b1111], "clock {clock}");
+        sim.step();
+    }
+    sim.set(sim.o.received.ready, 1);
+    assert_eq!(sim.get_u64(sim.i.send.ready), 1);
+}
+
 /// A block, the words of each frame, and as many replies.
 fn exchanges() -> impl Strategy<Value = (SpiMaster, Frames, Vec<u64>)> {
     (2u32..17, 2u32..5, 0u32..4).prop_flat_map(|(width, half_period, mode)| {
