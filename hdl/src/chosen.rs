@@ -1,14 +1,14 @@
 //! Asserts that the subject of a choice is a code of its enum, if that is certain.
 
 use crate::codes::{add_is_code, has_spare_codes};
-use crate::draft::Draft;
+use crate::draft::{Draft, DraftProperty};
 use crate::ir::{ClockId, Contents, Directive, Kind, NodeId, Op, Property};
 use std::collections::BTreeSet;
 
 /// Adds an assertion for each subject whose value is known from the first edge on and that has spare values.
 pub(crate) fn assert_codes(draft: &mut Draft) {
     let mut done = BTreeSet::new();
-    for (subject, loc) in std::mem::take(&mut draft.chosen) {
+    for (subject, part, loc) in std::mem::take(&mut draft.chosen) {
         let node = draft.node(subject);
         let Kind::Code(names) = node.kind else { continue };
         if !has_spare_codes(names, node.width) || !done.insert(subject) {
@@ -17,7 +17,8 @@ pub(crate) fn assert_codes(draft: &mut Draft) {
         if let Some(clock) = known_on(draft, subject) {
             let message = format!("`{}` is a code of `{}`", draft.describe(subject), names.of);
             let condition = add_is_code(draft, subject, names, loc);
-            draft.properties.push(Property { directive: Directive::Assert, clock, condition, message, loc });
+            let property = Property { directive: Directive::Assert, clock, condition, message, loc };
+            draft.properties.push(DraftProperty { property, part });
         }
     }
 }

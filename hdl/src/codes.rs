@@ -245,7 +245,7 @@ impl Signal {
     pub fn choose<C: Codes, V: Data, A: Fits<V>>(self, of: impl Fn(C) -> A) -> V {
         let subject = self.read_as(Kind::Code(C::NAMES), "choose");
         let (loc, node) = (Loc::caller(), subject.id());
-        elaboration::draft(|draft| draft.chosen.push((node, loc)));
+        elaboration::draft(|draft| draft.chosen.push((node, draft.part, loc)));
         by_code(subject, C::NAMES, C::ALL.iter().map(|code| of(*code).given()).collect())
     }
 

@@ -2,6 +2,7 @@
 
 use crate::bits::Bits;
 use crate::clock::Clock;
+use crate::enabled::{EnabledPart, PartId};
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::stages::Pipelines;
@@ -31,15 +32,17 @@ pub(crate) struct Draft {
     pub sent: Vec<Sent>,
     pub memories: Vec<DraftMemory>,
     pub instances: Vec<Instance>,
+    /// The enabled part that each instance is in.
+    pub instance_parts: Vec<Option<PartId>>,
     /// The names of each instance's output ports.
     pub instance_outputs: Vec<Vec<String>>,
-    pub properties: Vec<Property>,
+    pub properties: Vec<DraftProperty>,
     /// The place of each cover, by its name.
     pub covers: HashMap<String, Loc>,
     /// The registers of past values, by their signals.
-    pub pasts: BTreeMap<(NodeId, ClockId), NodeId>,
+    pub pasts: BTreeMap<(NodeId, ClockId, Option<PartId>), NodeId>,
     /// The subjects of choices by code.
-    pub chosen: Vec<(NodeId, Loc)>,
+    pub chosen: Vec<(NodeId, Option<PartId>, Loc)>,
     pub synchronizers: Vec<Synchronizer>,
     pub pipelines: Pipelines,
     /// Inputs that the description says it leaves unused.
@@ -52,11 +55,20 @@ pub(crate) struct Draft {
     pub stand_ins: BTreeSet<NodeId>,
     /// What [`Module::within`](crate::Module::within) puts before the names that are declared now.
     pub prefix: String,
+    /// The parts that [`Module::enabled`](crate::Module::enabled) made, each after the one around it.
+    pub parts: Vec<EnabledPart>,
+    /// The part that is being described.
+    pub part: Option<PartId>,
+    /// The clocks on which the instance of this module is in an enabled part: `None` for the module's own.
+    pub gated: Vec<Option<&'static str>>,
+    /// Those of them on which something runs here, with the inputs that enable it.
+    pub enables: Vec<(ClockId, NodeId)>,
 }
 
 pub(crate) struct DraftRegister {
     pub node: NodeId,
     pub clock: ClockId,
+    pub part: Option<PartId>,
     pub reset: Option<(Init, Loc)>,
     pub enable: Option<(NodeId, Loc)>,
     pub next: Option<(NodeId, Loc)>,
@@ -67,10 +79,16 @@ pub(crate) struct DraftRegister {
 
 impl DraftRegister {
     /// A register about which nothing is stated yet.
-    pub fn new(node: NodeId, clock: ClockId) -> DraftRegister {
+    pub fn new(node: NodeId, clock: ClockId, part: Option<PartId>) -> DraftRegister {
         let (reset, initial, enable, next) = (None, None, None, None);
-        DraftRegister { node, clock, reset, initial, enable, next, is_synchronizer: false, attributes: Vec::new() }
+        let (is_synchronizer, attributes) = (false, Vec::new());
+        DraftRegister { node, clock, part, reset, initial, enable, next, is_synchronizer, attributes }
     }
+}
+
+pub(crate) struct DraftProperty {
+    pub property: Property,
+    pub part: Option<PartId>,
 }
 
 pub(crate) struct DraftWire {
@@ -85,6 +103,10 @@ pub(crate) struct DraftMemory {
     pub stand_in: Option<NodeId>,
     /// The places of the write ports.
     pub written: Vec<Loc>,
+    /// The enabled part that each read port is in.
+    pub read_parts: Vec<Option<PartId>>,
+    /// The enabled part that each write port is in.
+    pub write_parts: Vec<Option<PartId>>,
 }
 
 /// A signal of another clock, and its synchronizer.
@@ -115,6 +137,7 @@ impl Draft {
             sent: Vec::new(),
             memories: Vec::new(),
             instances: Vec::new(),
+            instance_parts: Vec::new(),
             instance_outputs: Vec::new(),
             properties: Vec::new(),
             covers: HashMap::new(),
@@ -126,6 +149,10 @@ impl Draft {
             in_problems: BTreeSet::new(),
             stand_ins: BTreeSet::new(),
             prefix: String::new(),
+            parts: Vec::new(),
+            part: None,
+            gated: Vec::new(),
+            enables: Vec::new(),
         }
     }
 
@@ -168,6 +195,14 @@ impl Draft {
             self.stand_ins.insert(seen);
         }
         seen
+    }
+
+    /// A plain node of 1 bit, repeated in each lane of a shape.
+    pub fn spread(&mut self, mut node: NodeId, shape: Shape, loc: Loc) -> NodeId {
+        if let Shape::Grid(_, columns) = shape {
+            node = self.add(Op::Broadcast { of: node, axis: 0 }, 1, Shape::Row(columns), loc);
+        }
+        if shape.is_plain() { node } else { self.add(Op::Broadcast { of: node, axis: 0 }, 1, shape, loc) }
     }
 
     /// The index of a clock in this module; a new clock is added.
@@ -263,7 +298,7 @@ impl Draft {
             Op::Pack { of, .. } => format!("{}.pack()", inner(of)),
             Op::Unpack { of, .. } => format!("{}.unpack()", inner(of)),
             Op::Register(_) => match self.pasts.iter().find(|(_, past)| **past == id) {
-                Some(((of, _), _)) => format!("past({})", say(of)),
+                Some(((of, ..), _)) => format!("past({})", say(of)),
                 None => "a register".to_owned(),
             },
         }

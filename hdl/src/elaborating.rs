@@ -6,6 +6,7 @@ use crate::check;
 use crate::clock::Period;
 use crate::draft::Draft;
 use crate::elaboration;
+use crate::enabled;
 use crate::fields::Fields;
 use crate::finish;
 use crate::ir::{Design, Input, ModuleId, Op};
@@ -128,7 +129,7 @@ pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, 
     let mut ports = None;
     let ended = elaboration::run(|| {
         elaboration::with(|e| check_period(e, "the default clock", period, loc));
-        let child = elaborate_module(block, loc);
+        let child = elaborate_module(block, Vec::new(), loc);
         ports = Some(port_numbers(block, &child));
         elaboration::with(names::check_module_names);
     })?;
@@ -173,11 +174,11 @@ impl Elaborated {
     }
 }
 
-/// The module of `block`: the existing one for the same type and parameters, or a new one.
-pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
-    let cached = elaboration::with(|e| e.known.get(block).map(|id| (id, e.shapes[id.0 as usize].clone())));
-    if let Some((id, outputs)) = cached {
-        return Elaborated { id, outputs };
+/// The module of `block` whose instance is in an enabled part on these clocks: the existing one for the same type and
+/// parameters, or a new one.
+pub(crate) fn elaborate_module<B: Block>(block: &B, gated: Vec<Option<&'static str>>, loc: Loc) -> Elaborated {
+    if let Some(known) = known(block, &gated) {
+        return known;
     }
     if let Err(problem) = block.check() {
         elaboration::stop(Problem::new(Mistake::ParameterOutOfRange, loc, problem.to_string()));
@@ -190,8 +191,43 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
     elaboration::with(|e| {
         e.drafts_begun += 1;
         let serial = e.drafts_begun;
-        e.drafts.push(Draft { declared: block.declared(), ..Draft::new(serial, name, loc) });
+        e.drafts.push(Draft { declared: block.declared(), gated: gated.clone(), ..Draft::new(serial, name, loc) });
     });
+    let (before, again) = elaboration::with(|e| (e.problems.len(), e.known.has(block)));
+    let (out, outputs) = describe(block, loc);
+    let used = elaboration::with(|e| enabled::declare_inputs(e, &outputs));
+    // Where nothing runs on a clock, its enable makes no other module.
+    let elaborated = known(block, &used).inspect(|_| elaboration::with(|e| drop(e.drafts.pop())));
+    let elaborated = elaborated.unwrap_or_else(|| {
+        elaboration::with(|e| {
+            let (mut about, name) = (block.about(), enabled::module_name(block.name(), &used));
+            enabled::document(e.draft(), &mut about);
+            finish::finish(e, outputs, name, about, parameters);
+            let id = ModuleId(e.done.len() as u32 - 1);
+            e.known.insert(block.clone(), used, id);
+            let outputs: Rc<dyn Any> = Rc::new(out);
+            e.shapes.push(outputs.clone());
+            Elaborated { id, outputs }
+        })
+    });
+    elaboration::with(|e| {
+        e.known.insert(block.clone(), gated, elaborated.id);
+        if again {
+            e.forget_repeated(before);
+        }
+    });
+    elaborated
+}
+
+fn known<B: Block>(block: &B, gated: &[Option<&'static str>]) -> Option<Elaborated> {
+    elaboration::with(|e| {
+        let id = e.known.get(block, gated)?;
+        Some(Elaborated { id, outputs: e.shapes[id.0 as usize].clone() })
+    })
+}
+
+/// Runs the block's `build` in the innermost draft: its output bundle, and the outputs by their paths.
+fn describe<B: Block>(block: &B, loc: Loc) -> (B::Out, Vec<(String, Signal)>) {
     let widths = block.inputs();
     let (mut directions, mut answers) = (backwards(&widths).into_iter(), Vec::new());
     let inputs = B::In::signals(&widths, &mut |path, width| {
@@ -213,14 +249,7 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
     let widths = block.outputs();
     elaboration::with(|e| check::outputs::check(e, &outputs, &widths));
     outputs.extend(answers);
-    elaboration::with(|e| {
-        finish::finish(e, outputs, block.name(), block.about(), parameters);
-        let id = ModuleId(e.done.len() as u32 - 1);
-        e.known.insert(block.clone(), id);
-        let outputs: Rc<dyn Any> = Rc::new(out);
-        e.shapes.push(outputs.clone());
-        Elaborated { id, outputs }
-    })
+    (out, outputs)
 }
 
 /// The problem of instances that nest without end, if they do.

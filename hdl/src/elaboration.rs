@@ -32,6 +32,8 @@ pub(crate) struct Elaboration {
     pub shapes: Vec<Rc<dyn Any>>,
     /// For each finished module, the place of its first instance.
     pub instantiated: Vec<Loc>,
+    /// For each finished module, the clocks whose enables are its last inputs: `None` for its own.
+    pub enables: Vec<Vec<Option<&'static str>>>,
     /// The modules of the blocks that have been elaborated.
     pub known: KnownBlocks,
     /// The modules under construction, the innermost last.
@@ -42,19 +44,36 @@ pub(crate) struct Elaboration {
     pub problems: Vec<Problem>,
 }
 
-/// Blocks by type and value, independent of their `Debug` text: for each type, a `HashMap` of its blocks.
+/// Blocks by type and value, independent of their `Debug` text: for each type, a `HashMap` of its blocks. A block has
+/// a module for each set of clocks on which its instances are in an enabled part.
 #[derive(Default)]
 pub(crate) struct KnownBlocks(HashMap<TypeId, Box<dyn Any>>);
 
+/// The modules of a block, by their gated clocks.
+type Modules = Vec<(Vec<Option<&'static str>>, ModuleId)>;
+
 impl KnownBlocks {
-    pub fn get<B: Eq + Hash + 'static>(&self, block: &B) -> Option<ModuleId> {
-        let of_type: &HashMap<B, ModuleId> = self.0.get(&TypeId::of::<B>())?.downcast_ref()?;
-        of_type.get(block).copied()
+    pub fn get<B: Eq + Hash + 'static>(&self, block: &B, gated: &[Option<&'static str>]) -> Option<ModuleId> {
+        self.modules(block)?.iter().find(|(of, _)| of == gated).map(|(_, id)| *id)
     }
 
-    pub fn insert<B: Eq + Hash + 'static>(&mut self, block: B, id: ModuleId) {
-        let of_type = self.0.entry(TypeId::of::<B>()).or_insert_with(|| Box::new(HashMap::<B, ModuleId>::new()));
-        of_type.downcast_mut::<HashMap<B, ModuleId>>().expect("a map of that type").insert(block, id);
+    /// Whether the block has a module.
+    pub fn has<B: Eq + Hash + 'static>(&self, block: &B) -> bool {
+        self.modules(block).is_some()
+    }
+
+    fn modules<B: Eq + Hash + 'static>(&self, block: &B) -> Option<&Modules> {
+        let of_type: &HashMap<B, Modules> = self.0.get(&TypeId::of::<B>())?.downcast_ref()?;
+        of_type.get(block)
+    }
+
+    pub fn insert<B: Eq + Hash + 'static>(&mut self, block: B, gated: Vec<Option<&'static str>>, id: ModuleId) {
+        let of_type = self.0.entry(TypeId::of::<B>()).or_insert_with(|| Box::new(HashMap::<B, Modules>::new()));
+        let of_type = of_type.downcast_mut::<HashMap<B, Modules>>().expect("a map of that type");
+        let modules = of_type.entry(block).or_default();
+        if modules.iter().all(|(of, _)| *of != gated) {
+            modules.push((gated, id));
+        }
     }
 }
 
@@ -104,6 +123,7 @@ pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
             delays: Vec::new(),
             shapes: Vec::new(),
             instantiated: Vec::new(),
+            enables: Vec::new(),
             known: KnownBlocks::default(),
             drafts: Vec::new(),
             drafts_begun: 0,
@@ -168,6 +188,13 @@ impl Elaboration {
         if !self.problems.iter().rev().take(16).any(|known| *known == problem) {
             self.problems.push(problem);
         }
+    }
+
+    /// Forgets the problems from this one on that were known before: those of a block that is described again.
+    pub fn forget_repeated(&mut self, from: usize) {
+        let again = self.problems.split_off(from);
+        let new = again.into_iter().filter(|problem| !self.problems.contains(problem)).collect::<Vec<_>>();
+        self.problems.extend(new);
     }
 
     /// Like [`Elaboration::report`], for an expression that a stand-in replaces: its operands count as used. If one

@@ -4,6 +4,7 @@ use crate::check;
 use crate::chosen;
 use crate::draft::Draft;
 use crate::elaboration::Elaboration;
+use crate::enabled;
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::module::port_name;
@@ -37,6 +38,7 @@ pub(crate) fn finish(
     if sound {
         check::stages::check(&draft, &e.summaries, problems);
     }
+    enabled::apply(&mut draft, &e.done, &e.enables, problems);
     let nodes: Vec<_> = outputs.iter().map(|(_, node)| *node).collect();
     let mut summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),
@@ -50,7 +52,9 @@ pub(crate) fn finish(
     summary.faulty = ports.filter(|node| draft.stand_ins.contains(node)).collect();
     e.summaries.push(summary);
     e.instantiated.push(draft.loc);
-    let block = draft.block;
+    e.enables
+        .push(draft.enables.iter().map(|(clock, _)| draft.clocks[clock.0 as usize].map(|clock| clock.name)).collect());
+    let block = (draft.block, !draft.enables.is_empty());
     let module = module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters);
     if e.problems.is_empty() {
         check::latency::check(block, &module, &mut e.delays, &mut e.problems);
@@ -83,7 +87,7 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
         resets[clock.0 as usize] = Some(name);
     };
     draft.registers.iter().filter(|register| register.reset.is_some()).for_each(|register| needs(register.clock));
-    draft.properties.iter().for_each(|property| needs(property.clock));
+    draft.properties.iter().for_each(|draft| needs(draft.property.clock));
     for instance in &draft.instances {
         let child = &done[instance.module.0 as usize];
         let reset = child.clocks.iter().zip(&instance.clocks).filter(|(clock, _)| clock.reset.is_some());
@@ -155,7 +159,7 @@ fn module(
         instance
     });
     let instances = instances.collect();
-    let properties = draft.properties.into_iter();
+    let properties = draft.properties.into_iter().map(|draft| draft.property);
     let properties = properties.map(|property| Property { clock: clock_id(property.clock), ..property }).collect();
     Module {
         name,

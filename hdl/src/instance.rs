@@ -46,7 +46,7 @@ impl Module {
     #[track_caller]
     pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
         let loc = Loc::caller();
-        let child = elaborate_module(block, loc);
+        let child = elaborate_module(block, self.gated(), loc);
         let fed = Fed::of(&inputs, loc);
         let instance = self.declare(name, child.id, Shape::Plain, loc);
         let (out, answers) = self.read::<B>(&instance, &child, loc);
@@ -94,7 +94,7 @@ impl Module {
         B::Out: Clone,
     {
         let (loc, shape) = (Loc::caller(), shape.into_shape());
-        let child = elaborate_module(block, loc);
+        let child = elaborate_module(block, self.gated(), loc);
         let shape = elaboration::with(|e| sound_shape(e, &format!("the array `{name}`"), shape, loc));
         let instance = self.declare(name, child.id, shape, loc);
         let (out, answers) = self.read::<B>(&instance, &child, loc);
@@ -133,6 +133,7 @@ impl Module {
             let (shape, inputs) = (array, Vec::new());
             let instance = Instance { name, module: child, shape, inputs, outputs: outputs.clone(), clocks, loc };
             draft.instances.push(instance);
+            draft.instance_parts.push(draft.part);
             draft.instance_outputs.push(ports.into_iter().map(|(name, _)| name).collect());
             Declared { id, outputs }
         })
@@ -152,7 +153,8 @@ impl Module {
         let mut even = true;
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
-            let own = module.inputs.len() - answers.len();
+            // The last ones enable what is clocked, and get their drivers when this module is finished.
+            let own = module.inputs.len() - answers.len() - e.enables[child.0 as usize].len();
             let faulty = &e.summaries[child.0 as usize].faulty;
             let port = |input: &ir::Input| {
                 let is_faulty = faulty.contains(&input.node);

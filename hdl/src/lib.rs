@@ -82,6 +82,7 @@ mod divide;
 mod draft;
 mod elaborating;
 mod elaboration;
+mod enabled;
 mod fields;
 mod finish;
 mod graph;

@@ -294,10 +294,11 @@ impl Mem {
         elaboration::with(|e| {
             let draft = e.draft();
             let clock = synchronous.then(|| draft.use_clock(self.clock));
-            let port = draft.memories[self.index as usize].memory.reads.len() as u32;
+            let (port, part) = (draft.memories[self.index as usize].memory.reads.len() as u32, draft.part);
             let node = draft.add(Op::Read(MemoryId(self.index), port), self.word.bits, self.word.shape, loc);
             let memory = &mut draft.memories[self.index as usize];
             memory.memory.reads.push(ReadPort { clock, address, enable, node });
+            memory.read_parts.push(part);
             if memory.stand_in.is_some() {
                 draft.stand_ins.insert(node);
             }
@@ -350,9 +351,10 @@ impl Mem {
         }
         let data = data.id();
         elaboration::with(|e| {
-            let clock = e.draft().use_clock(self.clock);
+            let (clock, part) = (e.draft().use_clock(self.clock), e.draft().part);
             let draft = &mut e.draft().memories[self.index as usize];
             draft.memory.writes.push(WritePort { clock, enable, address, data });
+            draft.write_parts.push(part);
             draft.written.push(loc);
             if draft.memory.writes.len() > 1 && !draft.true_dual_port {
                 let (name, declared) = (draft.memory.name.clone(), draft.memory.loc);

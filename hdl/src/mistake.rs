@@ -212,6 +212,8 @@ mistakes! {
     LongPeriod = 806,
     /// An output is declared on a clock.
     OutputOnClock = 807,
+    /// What is within `enabled` runs on another clock.
+    EnabledElsewhere = 831,
 
     /// Two covers have one name.
     SecondCover = 901,

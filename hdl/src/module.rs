@@ -100,7 +100,7 @@ impl Module {
             let node = declare(e, Op::Register(RegisterId(index as u32)), ("register", name), width, loc);
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
-            draft.registers.push(DraftRegister::new(node, clock));
+            draft.registers.push(DraftRegister::new(node, clock, draft.part));
             Reg { signal: Signal::at(e, node), index }
         })
     }
@@ -294,6 +294,8 @@ impl Module {
                 true_dual_port: false,
                 stand_in,
                 written: Vec::new(),
+                read_parts: Vec::new(),
+                write_parts: Vec::new(),
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
             let word = Width { bits: width, shape, ..word };

@@ -3,6 +3,7 @@
 use crate::bits::Bits;
 use crate::draft::{Draft, DraftRegister};
 use crate::elaboration;
+use crate::enabled::PartId;
 use crate::fields::Fields;
 use crate::graph::{Edges, components, is_cyclic};
 use crate::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape, Unary};
@@ -99,12 +100,13 @@ impl Module {
         elaboration::with(|e| {
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
-            let past = draft.pasts.get(&(of, clock)).copied().unwrap_or_else(|| {
-                let past = add_register(draft, clock, (signal.width, signal.shape), loc);
+            let part = draft.part;
+            let past = draft.pasts.get(&(of, clock, part)).copied().unwrap_or_else(|| {
+                let past = add_register(draft, (clock, part), (signal.width, signal.shape), loc);
                 draft.node_mut(past).kind = signal.kind;
                 let register = draft.registers.last_mut().expect("just added");
                 register.next = Some((of, loc));
-                draft.pasts.insert((of, clock), past);
+                draft.pasts.insert((of, clock, part), past);
                 past
             });
             // The operand's own kind: the register may have been made for a signal of another kind.
@@ -113,9 +115,12 @@ impl Module {
     }
 }
 
-fn add_register(draft: &mut Draft, clock: ClockId, (width, shape): (u32, Shape), loc: Loc) -> NodeId {
+/// When a register can take a value: the edges of a clock, where the part that it is in is enabled.
+type Time = (ClockId, Option<PartId>);
+
+fn add_register(draft: &mut Draft, (clock, part): Time, (width, shape): (u32, Shape), loc: Loc) -> NodeId {
     let node = draft.add(Op::Register(RegisterId(draft.registers.len() as u32)), width, shape, loc);
-    draft.registers.push(DraftRegister::new(node, clock));
+    draft.registers.push(DraftRegister::new(node, clock, part));
     node
 }
 
@@ -125,18 +130,20 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
         return;
     }
     let looks_back = edges_back(draft, summaries);
-    let mut passed: BTreeMap<ClockId, Vec<NodeId>> = BTreeMap::new();
+    let mut passed: BTreeMap<Time, Vec<NodeId>> = BTreeMap::new();
     for index in 0..draft.properties.len() {
-        let property = draft.properties[index].clone();
+        let (property, part) = (draft.properties[index].property.clone(), draft.properties[index].part);
         let edges = looks_back[property.condition.0 as usize];
         if edges > 0 {
-            let passed = passed.entry(property.clock).or_default();
+            let time = (property.clock, part);
+            let passed = passed.entry(time).or_default();
             while passed.len() < edges {
-                let next = add_passed(draft, property.clock, passed.last().copied(), property.loc);
+                let next = add_passed(draft, time, passed.last().copied(), property.loc);
                 passed.push(next);
             }
             let condition = (property.condition, passed[edges - 1]);
-            draft.properties[index].condition = waiting(draft, property.directive, condition, property.loc);
+            let condition = only_where(draft, property.directive, condition, property.loc);
+            draft.properties[index].property.condition = condition;
         }
     }
     name_registers(draft, passed.into_values().flatten(), outputs);
@@ -144,7 +151,7 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
 
 /// How many edges back each node looks.
 fn edges_back(draft: &Draft, summaries: &[Summary]) -> Vec<usize> {
-    let pasts: BTreeMap<NodeId, NodeId> = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
+    let pasts: BTreeMap<NodeId, NodeId> = draft.pasts.iter().map(|((of, ..), past)| (*past, *of)).collect();
     let past_of = |node: u32| pasts.get(&NodeId(node)).map(|of| of.0);
     let edges = Edges::new(draft.nodes.len(), |node, push| {
         past_of(node).into_iter().for_each(&mut *push);
@@ -166,9 +173,9 @@ fn edges_back(draft: &Draft, summaries: &[Summary]) -> Vec<usize> {
 }
 
 /// A register that goes high one edge later than `before` does; without `before`, one edge after power-on or a reset.
-fn add_passed(draft: &mut Draft, clock: ClockId, before: Option<NodeId>, loc: Loc) -> NodeId {
+fn add_passed(draft: &mut Draft, time: Time, before: Option<NodeId>, loc: Loc) -> NodeId {
     let next = before.unwrap_or_else(|| draft.add(Op::Const(Bits::new(1, 1)), 1, Shape::Plain, loc));
-    let node = add_register(draft, clock, (1, Shape::Plain), loc);
+    let node = add_register(draft, time, (1, Shape::Plain), loc);
     let register = draft.registers.last_mut().expect("just added");
     register.reset = Some((Init::Same(Bits::zero(1)), loc));
     register.initial = Some((Bits::zero(1), loc));
@@ -176,21 +183,22 @@ fn add_passed(draft: &mut Draft, clock: ClockId, before: Option<NodeId>, loc: Lo
     node
 }
 
-/// The condition once enough edges have passed; before that, the value that makes the property vacuous.
-fn waiting(draft: &mut Draft, directive: Directive, (condition, passed): (NodeId, NodeId), loc: Loc) -> NodeId {
+/// The condition where `guard`, plain or of its shape, is high; elsewhere, the value that makes the property vacuous.
+pub(crate) fn only_where(
+    draft: &mut Draft,
+    directive: Directive,
+    (condition, guard): (NodeId, NodeId),
+    loc: Loc,
+) -> NodeId {
     let shape = draft.node(condition).shape;
-    let mut add = |op, shape| draft.add(op, 1, shape, loc);
-    let (op, mut guard) = match directive {
-        Directive::Cover => (Binary::And, passed),
-        Directive::Assert | Directive::Assume => (Binary::Or, add(Op::Unary(Unary::Not, passed), Shape::Plain)),
+    let (op, guard) = match directive {
+        Directive::Cover => (Binary::And, guard),
+        Directive::Assert | Directive::Assume => {
+            (Binary::Or, draft.add(Op::Unary(Unary::Not, guard), 1, draft.node(guard).shape, loc))
+        }
     };
-    if let Shape::Grid(_, columns) = shape {
-        guard = add(Op::Broadcast { of: guard, axis: 0 }, Shape::Row(columns));
-    }
-    if !shape.is_plain() {
-        guard = add(Op::Broadcast { of: guard, axis: 0 }, shape);
-    }
-    add(Op::Binary(op, guard, condition), shape)
+    let guard = if draft.node(guard).shape == shape { guard } else { draft.spread(guard, shape, loc) };
+    draft.add(Op::Binary(op, guard, condition), 1, shape, loc)
 }
 
 /// Names the registers: `count_past`, `past` for an unnamed signal, and `has_past`. A number follows if the name is
@@ -201,7 +209,7 @@ fn name_registers(draft: &mut Draft, passed: impl Iterator<Item = NodeId>, outpu
     taken.extend(outputs.iter().map(|(path, _)| crate::module::port_name("", path)));
     taken.extend(draft.memories.iter().map(|draft| draft.memory.name.clone()));
     taken.extend(draft.instances.iter().map(|instance| instance.name.clone()));
-    let mut pasts: Vec<(NodeId, NodeId)> = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
+    let mut pasts: Vec<(NodeId, NodeId)> = draft.pasts.iter().map(|((of, ..), past)| (*past, *of)).collect();
     // In the sequence of declaration, so that the past of a past finds a name.
     pasts.sort_unstable();
     let mut numbers: HashMap<String, RangeFrom<u64>> = HashMap::new();

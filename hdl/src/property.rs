@@ -1,6 +1,6 @@
 //! Properties of a circuit: assertions, assumptions about its inputs, and covers.
 
-use crate::draft::Draft;
+use crate::draft::{Draft, DraftProperty};
 use crate::elaboration;
 use crate::ir::{Directive, Property};
 use crate::loc::Loc;
@@ -105,7 +105,10 @@ impl Module {
             let draft = e.draft();
             let clock = draft.use_clock(self.clock);
             let problem = (directive == Directive::Cover).then(|| second_cover(draft, message, loc)).flatten();
-            draft.properties.push(Property { directive, clock, condition, message: message.to_owned(), loc });
+            let (message, part) = (message.to_owned(), draft.part);
+            draft
+                .properties
+                .push(DraftProperty { property: Property { directive, clock, condition, message, loc }, part });
             problem.into_iter().for_each(|problem| e.report(problem));
         });
     }

@@ -1,6 +1,7 @@
 //! The language: the meaning of descriptions, and the messages for wrong ones.
 
 mod blocks;
+mod enabled;
 mod examples;
 mod integers;
 mod kept;

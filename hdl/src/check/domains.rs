@@ -2,7 +2,7 @@
 
 use crate::draft::Draft;
 use crate::graph::Sets;
-use crate::ir::{ClockId, Directive, Module, NodeId};
+use crate::ir::{ClockId, Module, NodeId};
 use crate::mistake::Mistake;
 use crate::module::port_name;
 use crate::problem::Problem;
@@ -50,13 +50,11 @@ pub(crate) fn check(
             checker.sampled(*driver, instance.clocks[clock.0 as usize], &what, *driver);
         }
     }
-    for property in &draft.properties {
-        let what = match property.directive {
-            Directive::Assert => "an assertion",
-            Directive::Assume => "an assumption",
-            Directive::Cover => "a cover",
-        };
-        checker.sampled(property.condition, property.clock, what, property.condition);
+    for part in draft.parts.iter().filter(|part| part.reaches) {
+        checker.sampled(part.enable, part.clock, "an `enabled`", part.enable);
+    }
+    for property in draft.properties.iter().map(|draft| &draft.property) {
+        checker.sampled(property.condition, property.clock, property.directive.noun(), property.condition);
     }
     let mixed = outputs.iter().enumerate().filter(|(_, (path, node))| checker.mixes(path, *node));
     mixed.map(|(output, _)| output).collect()

@@ -6,10 +6,19 @@ use crate::mistake::Mistake;
 use crate::problem::Problem;
 
 /// Adds the delays of `module` to those of the earlier modules, if these have no problem.
-pub(crate) fn check(block: &str, module: &Module, delays: &mut Vec<Vec<Delay>>, problems: &mut Vec<Problem>) {
+pub(crate) fn check(
+    (block, is_gated): (&str, bool),
+    module: &Module,
+    delays: &mut Vec<Vec<Delay>>,
+    problems: &mut Vec<Problem>,
+) {
     let own = output_delays(module, delays);
     let found = latency(module, &own);
     delays.push(own);
+    // An enable around the block changes what is counted.
+    if is_gated {
+        return;
+    }
     let text = &module.about.latency;
     // A latency in words is allowed if it cannot be counted, as with a FIFO. If it can, it must match.
     let in_words = text.strip_suffix(" clock").or(text.strip_suffix(" clocks"));

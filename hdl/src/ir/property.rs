@@ -50,6 +50,17 @@ pub enum Directive {
     Cover,
 }
 
+impl Directive {
+    /// The property in messages.
+    pub(crate) fn noun(self) -> &'static str {
+        match self {
+            Directive::Assert => "an assertion",
+            Directive::Assume => "an assumption",
+            Directive::Cover => "a cover",
+        }
+    }
+}
+
 /// An attribute for synthesizers, as Verilog's `(* ram_style = "block" *)`.
 ///
 /// ```

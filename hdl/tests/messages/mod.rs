@@ -6,6 +6,7 @@ mod choices;
 mod clocks;
 mod common;
 mod elaborations;
+mod enabled;
 mod first_mistakes;
 mod handles;
 mod instances;

@@ -4,6 +4,7 @@ mod answers;
 mod arithmetic;
 mod arrays;
 mod clocks;
+mod enabled;
 mod kinds;
 mod lane_values;
 mod lists;
