@@ -3,6 +3,7 @@
 use crate::bits::Bits;
 use crate::clock::Clock;
 use crate::enabled::{EnabledPart, PartId};
+use crate::in_place_of::{OwnPeriod, Renamed};
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::stages::Pipelines;
@@ -55,6 +56,10 @@ pub(crate) struct Draft {
     pub stand_ins: BTreeSet<NodeId>,
     /// What [`Module::within`](crate::Module::within) puts before the names that are declared now.
     pub prefix: String,
+    /// The clocks that run in place of others now, the innermost last.
+    pub renamed: Vec<Renamed>,
+    /// The clocks in whose place the module's own runs, here or in an instance.
+    pub own_periods: Vec<OwnPeriod>,
     /// The parts that [`Module::enabled`](crate::Module::enabled) made, each after the one around it.
     pub parts: Vec<EnabledPart>,
     /// The part that is being described.
@@ -149,6 +154,8 @@ impl Draft {
             in_problems: BTreeSet::new(),
             stand_ins: BTreeSet::new(),
             prefix: String::new(),
+            renamed: Vec::new(),
+            own_periods: Vec::new(),
             parts: Vec::new(),
             part: None,
             gated: Vec::new(),

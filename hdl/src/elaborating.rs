@@ -9,6 +9,7 @@ use crate::elaboration;
 use crate::enabled;
 use crate::fields::Fields;
 use crate::finish;
+use crate::in_place_of;
 use crate::ir::{Design, Input, ModuleId, Op};
 use crate::limits::{DEEPEST, check_period};
 use crate::loc::Loc;
@@ -131,7 +132,10 @@ pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, 
         elaboration::with(|e| check_period(e, "the default clock", period, loc));
         let child = elaborate_module(block, Vec::new(), loc);
         ports = Some(port_numbers(block, &child));
-        elaboration::with(names::check_module_names);
+        elaboration::with(|e| {
+            in_place_of::check_default(e, period);
+            names::check_module_names(e);
+        });
     })?;
     let mut modules = ended.done;
     let top = modules.last_mut().expect("the top was elaborated");

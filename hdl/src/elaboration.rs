@@ -6,6 +6,7 @@
 
 use crate::clock::{Clock, Period};
 use crate::draft::Draft;
+use crate::in_place_of::OwnPeriod;
 use crate::ir::latency::Delay;
 use crate::ir::{Module, ModuleId, NodeId};
 use crate::limits::check_period;
@@ -34,6 +35,8 @@ pub(crate) struct Elaboration {
     pub instantiated: Vec<Loc>,
     /// For each finished module, the clocks whose enables are its last inputs: `None` for its own.
     pub enables: Vec<Vec<Option<&'static str>>>,
+    /// For each finished module, the clocks in whose place its own runs.
+    pub own_periods: Vec<Vec<OwnPeriod>>,
     /// The modules of the blocks that have been elaborated.
     pub known: KnownBlocks,
     /// The modules under construction, the innermost last.
@@ -124,6 +127,7 @@ pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
             shapes: Vec::new(),
             instantiated: Vec::new(),
             enables: Vec::new(),
+            own_periods: Vec::new(),
             known: KnownBlocks::default(),
             drafts: Vec::new(),
             drafts_begun: 0,

@@ -82,11 +82,16 @@ impl Module {
     /// The clocks of a child on which an instance here would be in an enabled part: `None` for the child's own.
     pub(crate) fn gated(self) -> Vec<Option<&'static str>> {
         elaboration::draft(|draft| {
+            let parts = draft.parts_from(draft.part).filter_map(|part| draft.clocks[part.clock.0 as usize]);
+            let parts = parts.map(|clock| clock.name);
+            let renamed = draft.renamed.iter().map(|renamed| renamed.inner.name);
+            let named: BTreeSet<_> = parts.chain(renamed).chain(draft.gated.iter().flatten().copied()).collect();
+            let is_gated = |name: &&'static str| {
+                let renamed = draft.renamed.iter().rev().find(|renamed| renamed.inner.name == *name);
+                draft.is_gated(renamed.map_or(Some(*name), |renamed| renamed.outer.map(|clock| clock.name)))
+            };
             let own = draft.is_gated(self.clock.map(|clock| clock.name)).then_some(None);
-            let parts = draft.parts_from(draft.part).map(|part| draft.clocks[part.clock.0 as usize]);
-            let named: BTreeSet<_> =
-                parts.flatten().map(|clock| clock.name).chain(draft.gated.iter().flatten().copied()).collect();
-            own.into_iter().chain(named.into_iter().map(Some)).collect()
+            own.into_iter().chain(named.iter().copied().filter(is_gated).map(Some)).collect()
         })
     }
 }

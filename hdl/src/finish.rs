@@ -52,6 +52,7 @@ pub(crate) fn finish(
     summary.faulty = ports.filter(|node| draft.stand_ins.contains(node)).collect();
     e.summaries.push(summary);
     e.instantiated.push(draft.loc);
+    e.own_periods.push(draft.own_periods.clone());
     e.enables
         .push(draft.enables.iter().map(|(clock, _)| draft.clocks[clock.0 as usize].map(|clock| clock.name)).collect());
     let block = (draft.block, !draft.enables.is_empty());

@@ -2,11 +2,10 @@
 
 use crate::block::Block;
 use crate::bundle::Bundle;
-use crate::clock::Clock;
 use crate::elaborating::{Elaborated, elaborate_module};
 use crate::elaboration::{self, Elaboration};
 use crate::fields::Fields;
-use crate::ir::{self, ClockId, Instance, InstanceId, Kind, ModuleId, NodeId, Op, Shape};
+use crate::ir::{self, Instance, InstanceId, Kind, ModuleId, NodeId, Op, Shape};
 use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::module::Module;
@@ -20,7 +19,7 @@ use crate::uneven::{Uneven, uneven};
 impl Module {
     /// Instantiates `block`. [`def!`](crate::def!) names the instance after the variable: `u_first`. Where the name is
     /// computed, it is the first argument: `m.instance(&format!("u_node{number}"), ..)`. The instance's own clock is this handle's; its named clocks are this module's clocks of
-    /// the same names.
+    /// the same names, or those [in their place](Module::in_place_of).
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -116,6 +115,7 @@ impl Module {
             let ports: Vec<_> = module.outputs.iter().map(port).collect();
             let shapes: Vec<_> = ports.iter().map(|(_, port)| beside(e, name, array, port, loc)).collect();
             let clocks = child_clocks.iter().map(|clock| self.bind(e, clock)).collect();
+            self.check_own_periods(e, child, loc);
             let draft = e.draft();
             let id = InstanceId(draft.instances.len() as u32);
             let output = |(index, ((_, port), shape)): (usize, (&(String, Port), Shape))| {
@@ -137,13 +137,6 @@ impl Module {
             draft.instance_outputs.push(ports.into_iter().map(|(name, _)| name).collect());
             Declared { id, outputs }
         })
-    }
-
-    /// The clock of this module that drives a child's clock: this handle's for the child's own clock, otherwise the
-    /// clock of the same name.
-    fn bind(self, e: &mut Elaboration, clock: &ir::Clock) -> ClockId {
-        let named = clock.name.zip(clock.period).map(|(name, period)| Clock { name, period });
-        e.draft().use_clock(named.or(self.clock))
     }
 
     /// Connects the inputs of a declared instance: nodes by their paths in its input bundle, and then the answers to

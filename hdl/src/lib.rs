@@ -86,6 +86,7 @@ mod enabled;
 mod fields;
 mod finish;
 mod graph;
+mod in_place_of;
 mod index;
 mod instance;
 mod integers;

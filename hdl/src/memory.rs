@@ -74,8 +74,11 @@ impl Mem {
     #[track_caller]
     pub fn on(self, clock: Clock) -> Mem {
         let loc = Loc::caller();
-        elaboration::with(|e| e.meet_clock(clock, loc));
-        Mem { clock: Some(clock), ..self }
+        let clock = elaboration::with(|e| {
+            e.meet_clock(clock, loc);
+            e.draft().in_use(clock)
+        });
+        Mem { clock, ..self }
     }
 
     /// The width of an address in bits.

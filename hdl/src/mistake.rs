@@ -214,6 +214,8 @@ mistakes! {
     OutputOnClock = 807,
     /// What is within `enabled` runs on another clock.
     EnabledElsewhere = 831,
+    /// A clock runs in place of one with another period.
+    OtherPeriod = 832,
 
     /// Two covers have one name.
     SecondCover = 901,

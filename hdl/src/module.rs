@@ -62,8 +62,10 @@ impl Module {
     #[track_caller]
     pub fn on(self, clock: Clock) -> Module {
         let loc = Loc::caller();
-        elaboration::with(|e| e.meet_clock(clock, loc));
-        Module { clock: Some(clock) }
+        elaboration::with(|e| {
+            e.meet_clock(clock, loc);
+            Module { clock: e.draft().in_use(clock) }
+        })
     }
 
     /// A register. Its width is a number of bits, a width as in `m.reg("used", up_to(pages))`, or a record of widths.
@@ -88,7 +90,8 @@ impl Module {
         let loc = Loc::caller();
         let index = elaboration::draft(|draft| draft.registers.len());
         let signal = layout.layout().map_fields("", &mut |path, width| {
-            let on = Module { clock: width.clock.or(self.clock) };
+            let clock = width.clock.map_or(self.clock, |clock| elaboration::draft(|draft| draft.in_use(clock)));
+            let on = Module { clock };
             on.register(&port_name(name, path), *width, loc).signal
         });
         Reg { signal, index }

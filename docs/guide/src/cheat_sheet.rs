@@ -65,6 +65,7 @@ impl CheatSheet {
         def!(late = m.pipe(i.write)); // one clock later
         def!(odd = m.toggle(i.write)); // a bit that inverts
         def!(rises = m.within("write", || rising(m, i.write))); // the names of a helper: `write_was`
+        def!(slow = m.enabled(odd, || m.toggle("slow_bit", i.write))); // keeps its state where `odd` is low
 
         // Expressions.
         let sum = count + 1; // wraps
@@ -111,7 +112,7 @@ impl CheatSheet {
         m.assert(m.past(i.write).implies(timer.eq(9)), "a write starts the timer");
 
         let all = smaller ^ first ^ by_number ^ at_edge ^ greatest;
-        let bits = wide.parity() ^ product.parity() ^ difference.parity() ^ any ^ odd ^ rises;
+        let bits = wide.parity() ^ product.parity() ^ difference.parity() ^ any ^ odd ^ rises ^ slow;
         CheatSheetOut { results, checks: cat![all, total.slice(0..7), bits] }
     }
 }

@@ -5,6 +5,7 @@ mod tests {
     use tilewright_hdl::*;
 
     const OTHER: Clock = Clock::new("other", Period::ns(7));
+    const VIDEO: Clock = Clock::new("video", Period::ns(7));
 
     codes! { enum Operation { Load, Store } }
 
@@ -33,7 +34,7 @@ mod tests {
             bytes: stream(bits(8)),
             operation: one_of::<Operation>(),
         }
-        out TranslationsOut { all: bits(8), seen: bit() }
+        out TranslationsOut { all: bits(8), seen: bit(), late: bit() }
     }
 
     impl Translations {
@@ -65,11 +66,15 @@ mod tests {
             let total = lanes.sum();
             def!(flag = m.pipe(c));
             let seen = m.on(OTHER).synchronize("seen", flag);
+            let describe = || m.instance("u_again", &Sub, SubIn { given: *x }).more;
+            let again = m.enabled(c, describe);
+            let describe = || m.on(VIDEO).toggle("late", lit(1, 1));
+            let late = m.on(OTHER).in_place_of(VIDEO, describe);
             let byte = bytes.take_when(1);
             m.assert(x.le(255), "why");
             let checks = cat![both, upper, one, wide, sum, same, less, bits].parity().zext(8);
-            let all = x ^ *y ^ z ^ chosen ^ by_number ^ by_code ^ word ^ sub.more ^ total ^ *byte ^ checks;
-            TranslationsOut { all, seen }
+            let all = x ^ *y ^ z ^ chosen ^ by_number ^ by_code ^ word ^ sub.more ^ total ^ *byte ^ checks ^ again;
+            TranslationsOut { all, seen, late }
         }
     }
 

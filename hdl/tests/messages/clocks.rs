@@ -239,6 +239,44 @@ fn a_clock_has_one_period() {
 }
 
 #[test]
+fn a_clock_runs_in_place_of_one_with_its_period() {
+    expect(
+        |m, i| m.on(FAST).in_place_of(SLOW, || m.on(SLOW).pipe("slow", i.a.quasi_static("set once"))),
+        "clock `slow` has a period of 6 ns, but `fast`, which runs in its place, of 4 ns [T832]
+         --> [|m, i| m.on(FAST).in_place_of(SLOW, || m.on(SLOW).pipe(\"slow\", i.a.quasi_static(\"set once\"))),]
+         help: a block may rely on the periods of its clocks: make the clock a parameter of the block",
+    );
+    let own = |m: Module, i: In| m.in_place_of(SLOW, || m.on(SLOW).pipe("slow", i.a));
+    let text = problems(&Case(own));
+    let message = "clock `slow` has a period of 6 ns, but the default clock, which runs in its place, of 10 ns";
+    assert!(text.starts_with(message) && !text.contains("problems"), "{text}");
+    elaborate_at(&Case(own), Period::ns(6)).unwrap();
+    /// Names a clock that runs in place of its own.
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    struct Named;
+    impl Block for Named {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(8) }
+        }
+        fn build(&self, m: Module, i: Link) -> Out {
+            Out { out: m.in_place_of(SLOW, || m.on(SLOW).pipe("y", i.x)) }
+        }
+    }
+    let text = problems(&Case(|m, i| {
+        let x = i.a.quasi_static("set once");
+        m.on(FAST).instance("u_named", &Named, Link { x }).out
+    }));
+    let lines = [
+        "clock `slow` has a period of 6 ns, but `fast`, which runs in its place, of 4 ns [T832]",
+        "  --> [Out { out: m.in_place_of(SLOW, || m.on(SLOW).pipe(\"y\", i.x)) }]",
+        "  `fast` is given to the instance at [m.on(FAST).instance(\"u_named\", &Named, Link { x }).out]",
+    ];
+    assert!(text.starts_with(&lines.join("\n")), "{text}");
+}
+
+#[test]
 #[should_panic(expected = "a clock period is an even number of picoseconds above 0")]
 fn periods_that_have_no_half() {
     let _ = Period::ps(3);

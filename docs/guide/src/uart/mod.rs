@@ -2,6 +2,7 @@
 
 pub mod echo;
 pub mod far_end;
+pub mod placed;
 pub mod proved;
 pub mod queue;
 pub mod receiver;

@@ -73,6 +73,8 @@ fn numbers() -> impl FnMut() -> u64 {
 #[test]
 fn an_enabled_block_runs_in_the_edges_that_are_enabled() {
     let (mut outer, mut inner) = (of(&Outer), of(&Inner));
+    // What has no reset takes its first value.
+    outer.drive(OuterIn { enable: 1, x: 0, take: 0 });
     outer.reset();
     inner.reset();
     let mut next = numbers();

@@ -5,6 +5,7 @@ mod arithmetic;
 mod arrays;
 mod clocks;
 mod enabled;
+mod in_place_of;
 mod kinds;
 mod lane_values;
 mod lists;
