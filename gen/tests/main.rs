@@ -3,6 +3,7 @@
 mod asserts;
 mod blocks;
 mod diagrams;
+mod displays;
 mod golden;
 mod kinds;
 mod lanes;

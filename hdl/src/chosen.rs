@@ -17,7 +17,8 @@ pub(crate) fn assert_codes(draft: &mut Draft) {
         if let Some(clock) = known_on(draft, subject) {
             let message = format!("`{}` is a code of `{}`", draft.describe(subject), names.of);
             let condition = add_is_code(draft, subject, names, loc);
-            let property = Property { directive: Directive::Assert, clock, condition, message, loc };
+            let (directive, values) = (Directive::Assert, Vec::new());
+            let property = Property { directive, clock, condition, message, values, loc };
             draft.properties.push(DraftProperty { property, part });
         }
     }

@@ -204,12 +204,13 @@ impl Draft {
         seen
     }
 
-    /// A plain node of 1 bit, repeated in each lane of a shape.
+    /// A plain node, repeated in each lane of a shape.
     pub fn spread(&mut self, mut node: NodeId, shape: Shape, loc: Loc) -> NodeId {
+        let width = self.node(node).width;
         if let Shape::Grid(_, columns) = shape {
-            node = self.add(Op::Broadcast { of: node, axis: 0 }, 1, Shape::Row(columns), loc);
+            node = self.add(Op::Broadcast { of: node, axis: 0 }, width, Shape::Row(columns), loc);
         }
-        if shape.is_plain() { node } else { self.add(Op::Broadcast { of: node, axis: 0 }, 1, shape, loc) }
+        if shape.is_plain() { node } else { self.add(Op::Broadcast { of: node, axis: 0 }, width, shape, loc) }
     }
 
     /// The index of a clock in this module; a new clock is added.

@@ -223,6 +223,8 @@ mistakes! {
     BrokenRule = 902,
     /// A design is too large.
     TooLargeDesign = 903,
+    /// The text of a display does not show its values.
+    DisplayText = 911,
 }
 
 /// The number, as it stands in messages and in their index.

@@ -133,7 +133,8 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
     let mut passed: BTreeMap<Time, Vec<NodeId>> = BTreeMap::new();
     for index in 0..draft.properties.len() {
         let (property, part) = (draft.properties[index].property.clone(), draft.properties[index].part);
-        let edges = looks_back[property.condition.0 as usize];
+        let looked_at = property.values.iter().map(|shown| shown.node).chain([property.condition]);
+        let edges = looked_at.map(|node| looks_back[node.0 as usize]).max().unwrap_or(0);
         if edges > 0 {
             let time = (property.clock, part);
             let passed = passed.entry(time).or_default();
@@ -192,7 +193,7 @@ pub(crate) fn only_where(
 ) -> NodeId {
     let shape = draft.node(condition).shape;
     let (op, guard) = match directive {
-        Directive::Cover => (Binary::And, guard),
+        Directive::Cover | Directive::Display => (Binary::And, guard),
         Directive::Assert | Directive::Assume => {
             (Binary::Or, draft.add(Op::Unary(Unary::Not, guard), 1, draft.node(guard).shape, loc))
         }

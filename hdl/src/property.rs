@@ -1,8 +1,8 @@
-//! Properties of a circuit: assertions, assumptions about its inputs, and covers.
+//! Properties of a circuit: assertions, assumptions about its inputs, covers, and displays.
 
 use crate::draft::{Draft, DraftProperty};
 use crate::elaboration;
-use crate::ir::{Directive, Property};
+use crate::ir::{Directive, Piece, Property, Shown};
 use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::module::Module;
@@ -98,17 +98,72 @@ impl Module {
         self.state(Directive::Cover, condition(happens.into(), "cover"), name);
     }
 
+    /// Shows a text in a simulation at every edge where `when` is high and the reset is low. The values stand where the
+    /// text has `{}`, `{:x}` or `{:b}`. `{}` is a decimal number, with its sign if it is signed, or the name of a code;
+    /// the others are hexadecimal and binary digits. A test gets the lines from its simulation. In Verilog, it is
+    /// `$display`, which synthesizers do not see.
+    ///
+    /// If `when` has lanes, each lane in which it is high has a line, with that lane's values.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { take: bit() } out { used: up_to(9) }
+    /// def!(used = m.reg(up_to(9)).reset(7));
+    /// used.when(i.take, used + 1);
+    /// m.display(i.take, "{} pages of 9 are used, {:b}", &[*used, *used]);
+    /// #     ShownOut { used: *used }
+    /// # };
+    /// let mut sim = tilewright_sim::Simulation::from_design(&design)?;
+    /// let messages = sim.messages();
+    /// sim.set(sim.port("take")?, 1);
+    /// sim.run(2);
+    /// assert_eq!(messages.lines(), ["7 pages of 9 are used, 111", "8 pages of 9 are used, 1000"]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    #[track_caller]
+    pub fn display(self, when: impl IntoSignal, text: &str, values: &[Signal]) {
+        let loc = Loc::caller();
+        let when = condition(when.into(), "display");
+        let mut shown = Vec::new();
+        for value in values {
+            let value = value.with_lanes_of(when, "display");
+            shown.push(Shown { node: value.id_at(loc), kind: value.kind });
+        }
+        let places = Piece::of(text).map(|pieces| pieces.iter().filter(|it| matches!(it, Piece::Value(_))).count());
+        let problem = match places {
+            Err(problem) => Some(format!("{problem} in the text of a `display`: \"{text}\"")),
+            Ok(places) if places != values.len() => {
+                let count = values.len();
+                Some(format!("the number of values of a `display` is {count}, but its text shows {places}: \"{text}\""))
+            }
+            Ok(_) => None,
+        };
+        match problem {
+            None => self.state_of(Directive::Display, when, text, shown),
+            Some(problem) => elaboration::with(|e| {
+                let problem = Problem::new(Mistake::DisplayText, loc, problem);
+                let nodes: Vec<_> = shown.iter().map(|shown| shown.node).chain([when.node]).collect();
+                e.report_instead_of(&nodes, problem.help("a value is `{}`, `{:x}` or `{:b}`; a brace is `{{` or `}}`"));
+            }),
+        }
+    }
+
     #[track_caller]
     fn state(self, directive: Directive, condition: Signal, message: &str) {
+        self.state_of(directive, condition, message, Vec::new());
+    }
+
+    #[track_caller]
+    fn state_of(self, directive: Directive, condition: Signal, message: &str, values: Vec<Shown>) {
         let (loc, condition) = (Loc::caller(), condition.id());
         elaboration::with(|e| {
             let draft = e.draft();
-            let clock = draft.use_clock(self.clock);
+            let (clock, part) = (draft.use_clock(self.clock), draft.part);
             let problem = (directive == Directive::Cover).then(|| second_cover(draft, message, loc)).flatten();
-            let (message, part) = (message.to_owned(), draft.part);
+            let message = message.to_owned();
             draft
                 .properties
-                .push(DraftProperty { property: Property { directive, clock, condition, message, loc }, part });
+                .push(DraftProperty { property: Property { directive, clock, condition, message, values, loc }, part });
             problem.into_iter().for_each(|problem| e.report(problem));
         });
     }

@@ -158,8 +158,8 @@ pub use tilewright_hdl::{Bits, Bundle};
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
-    Answer, Batch, Condition, Covered, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder,
-    Simulation, Testbench, UnknownName, Vcd, Violation, Wave, WaveRadix, monitor,
+    Answer, Batch, Condition, Covered, Error, IntoValue, Message, Messages, Monitor, Pauses, Port, Probe, Process,
+    Processes, Recorder, Simulation, Testbench, UnknownName, Vcd, Violation, Wave, WaveRadix, monitor,
 };
 #[doc(hidden)]
 pub use testbench::{Traced, example, for_examples, traced};

@@ -109,6 +109,7 @@ impl CheatSheet {
         m.assert(timer.le(9), "the timer never passes its start");
         m.assume(i.address.lt(100), "addresses are in range");
         m.cover("the timer ends", timer.eq(0));
+        m.display(i.write, "{} at {:x}", &[sum, i.address]); // also {:b}; a simulation shows it
         m.assert(m.past(i.write).implies(timer.eq(9)), "a write starts the timer");
 
         let all = smaller ^ first ^ by_number ^ at_edge ^ greatest;
@@ -125,10 +126,12 @@ mod tests {
     #[test]
     fn the_lines_of_a_test() -> Result<(), tilewright_sim::Error> {
         let mut sim = Simulation::of(&CheatSheet { width: 8 })?.seeded(1);
+        let messages = sim.messages();
         sim.set(sim.i.write, 1);
         sim.set_lanes(sim.i.bytes, [1, 2, 3, 4]);
         sim.reset();
         sim.run(10);
+        assert_eq!(messages.lines()[2], "3 at 0"); // what `m.display` showed
         assert_eq!(sim.peek("total")?, 10);
         assert_eq!(sim.peek_memory("words", 0)?, 10);
         let (steps, results) = (sim.i.steps, sim.o.results);

@@ -72,6 +72,7 @@ mod tests {
             let late = m.on(OTHER).in_place_of(VIDEO, describe);
             let byte = bytes.take_when(1);
             m.assert(x.le(255), "why");
+            m.display(c, "x is {}", &[*x]);
             let checks = cat![both, upper, one, wide, sum, same, less, bits].parity().zext(8);
             let all = x ^ *y ^ z ^ chosen ^ by_number ^ by_code ^ word ^ sub.more ^ total ^ *byte ^ checks ^ again;
             TranslationsOut { all, seen, late }

@@ -38,7 +38,10 @@ pub fn adopt_names(module: &mut Module) {
     for instance in &mut module.instances {
         instance.inputs.iter_mut().chain(&mut instance.outputs).for_each(|id| *id = to(*id));
     }
-    module.properties.iter_mut().for_each(|property| property.condition = to(property.condition));
+    for property in &mut module.properties {
+        property.condition = to(property.condition);
+        property.values.iter_mut().for_each(|shown| shown.node = to(shown.node));
+    }
     for port in 0..module.outputs.len() {
         let driver = to(module.outputs[port].node);
         module.outputs[port].node = driver;

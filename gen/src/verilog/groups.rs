@@ -216,7 +216,10 @@ impl<'a> Items<'a> {
                 memory.writes.iter().for_each(|write| roots.extend([write.enable, write.address, write.data]));
             }
             What::Instance(index) => roots.extend(&module.instances[index].inputs),
-            What::Property(index) => roots.push(module.properties[index].condition),
+            What::Property(index) => {
+                let property = &module.properties[index];
+                roots.extend(property.values.iter().map(|shown| shown.node).chain([property.condition]));
+            }
         }
         let mut found = self.behind(item.shape, roots);
         // A word is read in the scope of its memory.

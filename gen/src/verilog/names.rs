@@ -60,8 +60,10 @@ pub fn name_nodes(
             Directive::Assert => "asserted",
             Directive::Assume => "assumed",
             Directive::Cover => "covered",
+            Directive::Display => "displayed",
         };
         namer.name_below(property.condition, name, name);
+        property.values.iter().for_each(|shown| namer.name_below(shown.node, "shown", "shown"));
     }
     namer.names
 }

@@ -11,7 +11,7 @@ use super::scope::Names;
 use super::stated::stated;
 use super::states::StateNames;
 use super::usage::Usage;
-use tilewright_hdl::ir::{ClockId, Design, Directive, Module, NodeId};
+use tilewright_hdl::ir::{ClockId, Design, Directive, Module, NodeId, Property};
 
 /// A folded module during printing.
 pub struct Printer<'a> {
@@ -50,7 +50,8 @@ impl<'a> Printer<'a> {
         let groups = Groups::new(module, &plan, resets);
         let ports = port_values(design, module, &plan);
         let mut taken = Names::of(design, module, printed);
-        let is_checked = module.properties.iter().any(|property| property.directive != Directive::Cover);
+        let can_fail = |property: &Property| matches!(property.directive, Directive::Assert | Directive::Assume);
+        let is_checked = module.properties.iter().any(can_fail);
         let stop = is_checked.then(|| taken.fresh("stop"));
         let reads = name_reads(module, beyond, &mut taken);
         let mut names = name_nodes(design, module, &plan, &reads, resets, &ports, &mut taken);

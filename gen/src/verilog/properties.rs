@@ -1,13 +1,14 @@
 //! Properties. A simulation reports a failing assertion or assumption with its place and time, and ends with a
-//! non-zero status. With [`PRINTS_COVERS`] defined, it reports the first hit of each cover. A formal tool proves
+//! non-zero status, and shows the text of each display. With [`PRINTS_COVERS`] defined, it reports the first hit of each cover. A formal tool proves
 //! assertions, relies on assumptions, and searches for covers. Synthesis does not see properties.
 
 use super::layout::with_place;
-use super::literal::Style;
+use super::literal::{Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
 use super::text::format_text;
-use tilewright_hdl::ir::{ClockId, Directive, NodeId, Op, Property, Unary};
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{ClockId, Directive, Format, Kind, Names, NodeId, Op, Piece, Property, Shown, Unary};
 
 /// The macro with which covers are printed: they do not matter in simulations of other people.
 pub const PRINTS_COVERS: &str = "TILEWRIGHT_COVERS";
@@ -15,6 +16,23 @@ pub const PRINTS_COVERS: &str = "TILEWRIGHT_COVERS";
 /// Ends a simulation with a non-zero status. Without a terminal, Icarus ends with status 0 at `$stop`.
 pub fn stop() -> Vec<String> {
     ["`ifdef __ICARUS__", "$finish_and_return(1);", "`else", "$stop;", "`endif"].map(str::to_owned).to_vec()
+}
+
+/// The name of a code, as a string that is padded to the length of the longest.
+fn named(value: &str, width: u32, names: Names) -> String {
+    let longest = names.codes.iter().map(|name| name.len()).max().unwrap_or(1);
+    let padded = |name: &str| match longest - name.len() {
+        0 => format!("\"{name}\""),
+        missing => format!("{{{}'d0, \"{name}\"}}", 8 * missing),
+    };
+    let arms = names.codes.iter().zip(names.values);
+    let arms: String = arms
+        .map(|(name, code)| {
+            let code = literal(&Bits::new(width, *code), Style::Count);
+            format!("({value} == {code}) ? {} : ", padded(name))
+        })
+        .collect();
+    arms + &padded("?")
 }
 
 impl Printer<'_> {
@@ -43,7 +61,8 @@ impl Printer<'_> {
         out.extend(self.stated_registers());
         out.push("`ifdef FORMAL".to_string());
         for clock in clocks() {
-            let body = properties.iter().filter(|it| it.clock == clock).map(|property| self.formal(property)).collect();
+            let here = properties.iter().filter(|it| it.clock == clock);
+            let body = here.filter_map(|property| self.formal(property)).collect();
             out.extend(self.at_edge(clock, body));
         }
         out.push("`else".to_string());
@@ -100,18 +119,19 @@ impl Printer<'_> {
         (property.directive == Directive::Cover).then(|| self.label("is_covered"))
     }
 
-    fn formal(&mut self, property: &Property) -> String {
+    fn formal(&mut self, property: &Property) -> Option<String> {
         let word = match property.directive {
             Directive::Assert => "assert",
             Directive::Assume => "assume",
             Directive::Cover => "cover",
+            Directive::Display => return None,
         };
         let statement = format!("{word} ({});", self.value(property.condition));
         let line = match self.reset_is_low(property.clock) {
             Some(low) => format!("if ({low}) {statement}"),
             None => statement,
         };
-        with_place(line, property.loc)
+        Some(with_place(line, property.loc))
     }
 
     fn simulated(&mut self, property: &Property, hit: Option<&str>) -> Vec<String> {
@@ -126,6 +146,7 @@ impl Printer<'_> {
                     format!("{hit} <= 1'b1;"),
                 ],
             ),
+            (Directive::Display, _) => (self.operand(property.condition, Style::Count), vec![self.display(property)]),
             (directive, _) => {
                 let blames = if directive == Directive::Assume { "the stimulus breaks an assumption: " } else { "" };
                 let says = format!("$display(\"FAIL: time %0t: %m: {blames}{message}\", $time);");
@@ -138,6 +159,38 @@ impl Printer<'_> {
         let head = with_place(format!("if ({reset}{when}) begin"), property.loc);
         let body = body.into_iter().map(|line| format!("    {line}"));
         [head].into_iter().chain(body).chain(["end".to_string()]).collect()
+    }
+
+    /// The statement that shows the text of a display with its values.
+    fn display(&mut self, property: &Property) -> String {
+        let pieces = Piece::of(&property.message).expect("the text of a display in a design is sound");
+        let (mut text, mut arguments, mut values) = (String::new(), String::new(), property.values.iter());
+        for piece in pieces {
+            match piece {
+                Piece::Text(plain) => text += &format_text(&plain),
+                Piece::Value(format) => {
+                    let shown = values.next().expect("a value for each place");
+                    let (place, argument) = self.shown(format, *shown);
+                    text += place;
+                    arguments += &format!(", {argument}");
+                }
+            }
+        }
+        format!("$display(\"{text}\"{arguments});")
+    }
+
+    /// A value of a display: its place in the format string, and the argument.
+    fn shown(&mut self, format: Format, Shown { node, kind }: Shown) -> (&'static str, String) {
+        let value = self.value(node);
+        // Braces give an operator its own width.
+        let value = if self.plan.form(node) == Form::Inline { format!("{{{value}}}") } else { value };
+        match (format, kind) {
+            (Format::Hexadecimal, _) => ("%0h", value),
+            (Format::Binary, _) => ("%0b", value),
+            (Format::Plain, Kind::Number) => ("%0d", value),
+            (Format::Plain, Kind::Signed) => ("%0d", format!("$signed({value})")),
+            (Format::Plain, Kind::Code(names)) => ("%0s", named(&value, self.module.width(node), names)),
+        }
     }
 
     /// The negation of a condition, as an operand of `&&`.

@@ -54,7 +54,9 @@ pub(crate) fn check(
         checker.sampled(part.enable, part.clock, "an `enabled`", part.enable);
     }
     for property in draft.properties.iter().map(|draft| &draft.property) {
-        checker.sampled(property.condition, property.clock, property.directive.noun(), property.condition);
+        for node in property.values.iter().map(|shown| shown.node).chain([property.condition]) {
+            checker.sampled(node, property.clock, property.directive.noun(), node);
+        }
     }
     let mixed = outputs.iter().enumerate().filter(|(_, (path, node))| checker.mixes(path, *node));
     mixed.map(|(output, _)| output).collect()

@@ -12,6 +12,7 @@
 
 mod affine;
 mod design;
+mod display;
 mod ids;
 mod kind;
 pub(crate) mod latency;
@@ -29,6 +30,7 @@ use std::collections::BTreeMap;
 
 pub use affine::Affine;
 pub use design::Design;
+pub use display::{Format, Piece, Shown};
 pub use ids::{ClockId, InstanceId, MemoryId, ModuleId, NodeId, RegisterId};
 pub use kind::{Kind, Names};
 pub use latency::Latency;
@@ -77,7 +79,7 @@ pub struct Module {
     pub memories: Vec<Memory>,
     /// The instances and instance arrays.
     pub instances: Vec<Instance>,
-    /// The properties: assertions, assumptions and covers.
+    /// The properties: assertions, assumptions, covers and displays.
     pub properties: Vec<Property>,
 }
 

@@ -1,6 +1,6 @@
 //! Properties of a circuit, and attributes for synthesizers.
 
-use super::{ClockId, NodeId};
+use super::{ClockId, NodeId, Shown};
 use crate::loc::Loc;
 
 /// A property: a condition that is checked in every lane, at every edge of its clock while that clock's reset is low.
@@ -22,8 +22,11 @@ pub struct Property {
     pub clock: ClockId,
     /// 1 bit, of any shape.
     pub condition: NodeId,
-    /// The error message if the condition is false; for a cover, the event that it counts.
+    /// The error message if the condition is false; for a cover, the event that it counts; for a display, its text,
+    /// as [`Piece::of`](super::Piece::of) reads it.
     pub message: String,
+    /// For a display, the values in its text.
+    pub values: Vec<Shown>,
     /// The place in the description.
     pub loc: Loc,
 }
@@ -48,6 +51,8 @@ pub enum Directive {
     Assume,
     /// The condition is true at some time.
     Cover,
+    /// Where the condition is true, a simulation shows a text.
+    Display,
 }
 
 impl Directive {
@@ -57,6 +62,7 @@ impl Directive {
             Directive::Assert => "an assertion",
             Directive::Assume => "an assumption",
             Directive::Cover => "a cover",
+            Directive::Display => "a display",
         }
     }
 }

@@ -179,3 +179,56 @@ fn attributes() {
     }
     assert!(text.ends_with("4 problems in this description"), "{text}");
 }
+
+#[test]
+fn the_text_of_a_display_has_a_place_for_each_value() {
+    expect(
+        |m, i| {
+            m.display(i.c, "a is {}, b is {:x}", &[i.a]);
+            i.a
+        },
+        r#"the number of values of a `display` is 1, but its text shows 2: "a is {}, b is {:x}" [T911]
+         --> [m.display(i.c, "a is {}, b is {:x}", &[i.a]);]
+         help: a value is `{}`, `{:x}` or `{:b}`; a brace is `{{` or `}}`"#,
+    );
+    let begin = |build: Build, message: &str| {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(message) && !text.contains("problems"), "{text}");
+    };
+    begin(
+        |m, i| {
+            m.display(i.c, "{:o}", &[i.a]);
+            i.a
+        },
+        "`{:o}` is no form of a value in the text of a `display`: \"{:o}\" [T911]",
+    );
+    begin(
+        |m, i| {
+            m.display(i.c, "50 {", &[]);
+            i.a
+        },
+        "a `{` stands alone in the text of a `display`: \"50 {\" [T911]",
+    );
+    begin(
+        |m, i| {
+            m.display(i.a, "", &[]);
+            i.a
+        },
+        "the condition of `display` is 1 bit, but `a` has 8 bits [T106]",
+    );
+    begin(
+        |m, i| {
+            m.display(i.c, "{}", &[i.a.unpack(row(4))]);
+            i.a
+        },
+        "`display` needs equal shapes: `c` has no lanes, `a.unpack()` has 4 lanes [T601]",
+    );
+    begin(
+        |m, i| {
+            let fast = m.on(FAST).pipe("fast", lit(8, 1));
+            m.display(i.c, "{}", &[fast]);
+            m.pipe("late", i.a)
+        },
+        "`fast` is on clock `fast` but reaches a display on clock `clk` without a crossing [T801]",
+    );
+}

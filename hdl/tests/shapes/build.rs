@@ -280,6 +280,7 @@ impl Build {
     pub fn assert(&mut self, condition: NodeId, message: &str) {
         let message = message.to_owned();
         let (directive, clock, loc) = (Directive::Assert, ClockId(0), Loc::caller());
-        self.module.properties.push(Property { directive, clock, condition, message, loc });
+        let values = Vec::new();
+        self.module.properties.push(Property { directive, clock, condition, message, values, loc });
     }
 }

@@ -106,6 +106,14 @@ fn clocks_ports_and_assertions() {
     refused("the condition of a property of `top`, `top.a`, has 8 bits, not 1 bit", |it| {
         it.top().properties[0].condition = NodeId(0);
     });
+    refused("the text of a property of `top` does not show its values", |it| {
+        it.top().properties[0].values.push(Shown { node: NodeId(0), kind: Kind::Number });
+    });
+    refused("a value of a property of `top` is node 900 of 53", |it| {
+        let property = &mut it.top().properties[0];
+        (property.directive, property.message) = (Directive::Display, "{}".to_owned());
+        property.values.push(Shown { node: NodeId(900), kind: Kind::Number });
+    });
 }
 
 #[test]

@@ -2,12 +2,13 @@
 
 use tilewright_hdl::Bundle;
 
+use crate::engine::program::Display;
 use crate::testbench::error::Error;
 use crate::testbench::lookup::{self, Found};
 use crate::testbench::port::Port;
 use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
-use crate::testbench::trace::{Draw, Dump, Recorder, Source, Start, Vcd, Wave, Window, header};
+use crate::testbench::trace::{Draw, Dump, Messages, Recorder, Source, Start, Vcd, Wave, Window, header};
 
 /// An item of a wave: a port, or anything with a name.
 ///
@@ -109,6 +110,28 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.recording(0)
     }
 
+    /// Collects what the displays of the circuit show from now on.
+    ///
+    /// ```
+    /// use tilewright_hdl::*;
+    ///
+    /// # let design = tilewright_sim::shown! { |m, i| in { x: bits(8) } out { late: bits(8) }
+    /// m.display(i.x.ne(0), "got {} ({:x})", &[i.x.signed(), i.x]);
+    /// #     ShownOut { late: m.pipe("late", i.x) }
+    /// # };
+    /// let mut sim = tilewright_sim::Simulation::from_design(&design)?;
+    /// let messages = sim.messages();
+    /// for x in [0, 7, 254] {
+    ///     sim.set(sim.port("x")?, x);
+    ///     sim.step();
+    /// }
+    /// assert_eq!(messages.lines(), ["got 7 (7)", "got -2 (fe)"]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn messages(&mut self) -> Messages {
+        self.circuit.messages(0)
+    }
+
     /// Draws a wave of these ports and signals, given as a [`Port`] or by name, from now on. In the last part of a
     /// name, `*` stands for any characters: `entry_*` matches each field of the record `entry`, or of a stream's
     /// payload. For a signal with lanes the wave shows all lanes, or with `cells[3]` a single one.
@@ -163,6 +186,21 @@ impl Running {
         self.recorded.push(run);
         self.observe_by(Box::new(recorder.clone()));
         recorder
+    }
+
+    /// Collects what the displays of one run show.
+    pub fn messages(&mut self, run: u32) -> Messages {
+        let displays = self.program.displays.iter();
+        let values = |display: &Display| {
+            display.values.iter().map(|(value, _)| *value).chain([display.condition]).collect::<Vec<_>>()
+        };
+        let values: Vec<_> = displays.flat_map(values).collect();
+        let messages = Messages::of(run);
+        if !values.is_empty() {
+            self.engine.watch(&values);
+            self.observe_by(Box::new(messages.clone()));
+        }
+        messages
     }
 
     /// Draws a wave of one run.

@@ -54,7 +54,11 @@ impl Example {
 #[track_caller]
 pub fn example(build: fn(Module)) {
     let design = Example { build }.design();
-    let is_asserted = design.top().properties.iter().any(|property| property.directive != Directive::Cover);
+    let is_asserted = design
+        .top()
+        .properties
+        .iter()
+        .any(|property| matches!(property.directive, Directive::Assert | Directive::Assume));
     assert!(is_asserted, "the example asserts nothing");
     simulation(&design).run(CLOCKS);
 }

@@ -33,4 +33,4 @@ pub use example::{Traced, example, traced};
 pub use port::{IntoValue, Port};
 pub use processes::{Answer, Monitor, Pauses, Process, Processes, Testbench, monitor};
 pub use simulation::Simulation;
-pub use trace::{Recorder, Vcd, Wave, WaveRadix};
+pub use trace::{Message, Messages, Recorder, Vcd, Wave, WaveRadix};

@@ -5,4 +5,5 @@ mod campaign;
 mod matrix;
 mod pitfalls;
 mod recordings;
+mod shown;
 mod waveforms;

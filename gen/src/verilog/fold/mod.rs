@@ -132,10 +132,14 @@ impl Fold {
         }
         module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(to);
         module.outputs.iter_mut().for_each(|output| to(&mut output.node));
-        module.properties.iter_mut().for_each(|property| to(&mut property.condition));
-        // An assertion that is always true is not printed; a cover that always happens is.
+        for property in &mut module.properties {
+            to(&mut property.condition);
+            property.values.iter_mut().for_each(|shown| to(&mut shown.node));
+        }
+        // An assertion that is always true is not printed; what always happens is.
         module.properties.retain(|property| {
-            property.directive == Directive::Cover || constant(&module.nodes, property.condition) != Some(true)
+            let holds = matches!(property.directive, Directive::Assert | Directive::Assume);
+            !holds || constant(&module.nodes, property.condition) != Some(true)
         });
     }
 

@@ -96,7 +96,10 @@ pub fn for_each_root(module: &Module, beyond: &[Vec<bool>], mut visit: impl FnMu
     }
     module.instances.iter().flat_map(|instance| &instance.inputs).for_each(|&id| visit(id));
     module.outputs.iter().for_each(|output| visit(output.node));
-    module.properties.iter().for_each(|property| visit(property.condition));
+    for property in &module.properties {
+        visit(property.condition);
+        property.values.iter().for_each(|shown| visit(shown.node));
+    }
 }
 
 struct Planner<'a> {

@@ -2,7 +2,9 @@
 
 use super::{Needs, Rules};
 use crate::bits::Bits;
-use crate::ir::{Attribute, Contents, Init, Memory, MemoryId, Node, NodeId, Op, RegisterId, Shape};
+use crate::ir::{
+    Attribute, Contents, Directive, Init, Kind, Memory, MemoryId, Node, NodeId, Op, Piece, RegisterId, Shape,
+};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
 use crate::names::{is_legal, is_reserved};
@@ -132,6 +134,19 @@ impl<'a> Rules<'a> {
             self.clock(property.loc, &owner, property.clock);
             let shape = self.module.nodes.get(property.condition.0 as usize).map_or(Shape::Plain, |node| node.shape);
             self.refers(property.loc, "the condition", &owner, property.condition, Needs::of(1, shape));
+            for shown in &property.values {
+                self.refers(property.loc, "a value", &owner, shown.node, Needs::shape(shape));
+                if let (Kind::Code(names), Some(node)) = (shown.kind, self.module.nodes.get(shown.node.0 as usize)) {
+                    self.codes(property.loc, node.width, names);
+                }
+            }
+            let places =
+                Piece::of(&property.message).map(|it| it.iter().filter(|it| matches!(it, Piece::Value(_))).count());
+            let is_sound = match property.directive {
+                Directive::Display => places == Ok(property.values.len()),
+                _ => property.values.is_empty(),
+            };
+            self.rule(is_sound, property.loc, || format!("the text of {owner} does not show its values"));
         }
     }
 

@@ -24,7 +24,7 @@ mod schedule;
 mod split;
 
 use crate::engine::Passes;
-use tilewright_hdl::ir::{Contents, Init, ReadUnderWrite};
+use tilewright_hdl::ir::{self, Contents, Init, ReadUnderWrite};
 use tilewright_hdl::{Bits, Loc, limbs_for};
 
 pub use circuit::{Cell, Circuit, ValueId};
@@ -134,6 +134,8 @@ pub struct Program {
     pub asserts: Vec<Assert>,
     /// The covers.
     pub covers: Vec<Cover>,
+    /// The displays.
+    pub displays: Vec<Display>,
     /// The names of everything.
     pub hierarchy: Hierarchy,
     /// The passes that made it, and those for its code.
@@ -333,6 +335,25 @@ pub struct Cover {
     /// The place in the description.
     pub loc: Loc,
     /// The number of lanes for each instance.
+    pub group: u32,
+    /// Its scope; several for separate instances that run in lanes.
+    pub scopes: Vec<hierarchy::ScopeId>,
+}
+
+/// A text that is shown at the edges at which a condition is true.
+#[derive(Debug, Clone)]
+pub struct Display {
+    /// Its clock, by index in [`Program::clocks`].
+    pub clock: u32,
+    /// 1 bit a lane.
+    pub condition: ValueId,
+    /// The text.
+    pub pieces: Vec<ir::Piece>,
+    /// The values in it, as many lanes as the condition has.
+    pub values: Vec<(ValueId, ir::Kind)>,
+    /// The place in the description.
+    pub loc: Loc,
+    /// The number of lanes of the condition for each instance.
     pub group: u32,
     /// Its scope; several for separate instances that run in lanes.
     pub scopes: Vec<hierarchy::ScopeId>,

@@ -1,10 +1,10 @@
-//! The objects that an instance reads and changes: registers, memories, assertions.
+//! The objects that an instance reads and changes: registers, memories, properties.
 
-use tilewright_hdl::ir::{self, Binary, ClockId, Directive, Module, NodeId, Property, Shape};
+use tilewright_hdl::ir::{self, Binary, ClockId, Directive, Module, NodeId, Piece, Property, Shape};
 use tilewright_hdl::{Bits, Loc};
 
 use super::flatten::{Body, Flatten};
-use super::{Assert, Axis, Cell, Cover, Kind, Memory, ReadPort, Register, UnitId, ValueId, WritePort};
+use super::{Assert, Axis, Cell, Cover, Display, Kind, Memory, ReadPort, Register, UnitId, ValueId, WritePort};
 
 impl Flatten<'_> {
     /// Adds registers, memories and properties; returns the program's memory for each memory of the module.
@@ -25,7 +25,7 @@ impl Flatten<'_> {
         module.memories.iter().map(|memory| self.memory(body, module, memory)).collect()
     }
 
-    /// Adds an assertion, or a counter for a cover.
+    /// Adds an assertion, a display, or a counter for a cover.
     fn property(&mut self, body: &Body, module: &Module, property: &Property) {
         let Property { directive, condition, ref message, loc, .. } = *property;
         let (clock, of) = (body.clocks[property.clock.0 as usize], body.whole(condition));
@@ -33,6 +33,13 @@ impl Flatten<'_> {
         if directive == Directive::Cover {
             let counter = self.counter(clock, of, body.lanes * group, loc, body.unit);
             self.flat.program.covers.push(Cover { clock, counter, name: message.clone(), loc, group, scopes });
+            return;
+        }
+        if directive == Directive::Display {
+            let values = property.values.iter().map(|shown| (body.whole(shown.node), shown.kind)).collect();
+            let pieces = Piece::of(message).expect("the text of a display in a design is sound");
+            let display = Display { clock, condition: of, pieces, values, loc, group, scopes };
+            self.flat.program.displays.push(display);
             return;
         }
         let is_assumption = directive == Directive::Assume;

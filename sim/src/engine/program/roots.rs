@@ -4,12 +4,16 @@ use super::{Clock, Program, Register, ValueId};
 
 impl Program {
     /// Calls `visit` with every reference from outside the cells, which it may replace: ports, registers, memories,
-    /// asserts and names.
+    /// properties and names.
     pub(crate) fn rewrite_roots(&mut self, mut visit: impl FnMut(&mut ValueId)) {
         self.rewrite_sinks(&mut visit);
         self.inputs.iter_mut().for_each(|port| visit(&mut port.value));
         self.registers.iter_mut().for_each(|register| visit(&mut register.value));
         self.covers.iter_mut().for_each(|cover| visit(&mut cover.counter));
+        for display in &mut self.displays {
+            visit(&mut display.condition);
+            display.values.iter_mut().for_each(|(value, _)| visit(value));
+        }
         self.memories.iter_mut().flat_map(|memory| &mut memory.reads).for_each(|read| visit(&mut read.value));
         for scope in &mut self.hierarchy.scopes {
             scope.signals.iter_mut().for_each(|signal| visit(&mut signal.value));

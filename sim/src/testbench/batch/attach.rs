@@ -5,7 +5,7 @@ use tilewright_hdl::Bundle;
 use super::Batch;
 use crate::testbench::attach::Probe;
 use crate::testbench::error::Error;
-use crate::testbench::trace::{Recorder, Vcd, Wave};
+use crate::testbench::trace::{Messages, Recorder, Vcd, Wave};
 
 impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// Writes a waveform file of one run from now on; see [`Simulation::trace`](crate::Simulation::trace). Several
@@ -56,6 +56,32 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     pub fn recording(&mut self, run: u32) -> Recorder {
         self.check(run);
         self.all.circuit.recording(run)
+    }
+
+    /// Collects what the displays of one run show from now on.
+    ///
+    /// ```
+    /// use tilewright_hdl::*;
+    ///
+    /// # let design = tilewright_sim::shown! { |m, i| in { x: bits(8) } out { late: bits(8) }
+    /// m.display(i.x.ne(0), "got {}", &[i.x]);
+    /// #     ShownOut { late: m.pipe("late", i.x) }
+    /// # };
+    /// let mut batch = tilewright_sim::Batch::from_design(&design, 2)?;
+    /// let messages = batch.messages(1);
+    /// batch.set(batch.port("x")?, 1, 9);
+    /// batch.run(1);
+    /// assert_eq!(messages.lines(), ["got 9"]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There is no such run.
+    #[track_caller]
+    pub fn messages(&mut self, run: u32) -> Messages {
+        self.check(run);
+        self.all.circuit.messages(run)
     }
 
     /// Draws a wave of these ports and signals of one run from now on.

@@ -3,6 +3,7 @@
 mod changes;
 mod dump;
 pub(crate) mod glob;
+mod messages;
 mod radix;
 mod recording;
 mod rows;
@@ -19,6 +20,7 @@ use crate::engine::{Done, Engine};
 use crate::testbench::error::Error;
 
 pub(crate) use dump::Dump;
+pub use messages::{Message, Messages};
 pub use radix::WaveRadix;
 pub use recording::Recorder;
 pub(crate) use start::{Poked, Start};

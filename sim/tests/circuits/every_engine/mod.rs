@@ -4,6 +4,7 @@ mod answers;
 mod arithmetic;
 mod arrays;
 mod clocks;
+mod displays;
 mod enabled;
 mod in_place_of;
 mod kinds;

@@ -20,7 +20,10 @@ pub fn for_each_use(module: &mut Module, mut visit: impl FnMut(&mut NodeId)) {
         memory.writes.iter_mut().flat_map(of_write).for_each(&mut visit);
     }
     module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(&mut visit);
-    module.properties.iter_mut().for_each(|assert| visit(&mut assert.condition));
+    for property in &mut module.properties {
+        visit(&mut property.condition);
+        property.values.iter_mut().for_each(|shown| visit(&mut shown.node));
+    }
 }
 
 /// Visits every mention of a node.
@@ -92,7 +95,8 @@ pub fn drop_unused(modules: &mut Vec<Module>) {
 fn live(module: &Module) -> Vec<bool> {
     let mut live = vec![false; module.nodes.len()];
     let mut open: Vec<NodeId> = module.outputs.iter().map(|output| output.node).collect();
-    open.extend(module.properties.iter().map(|assert| assert.condition));
+    open.extend(module.properties.iter().map(|property| property.condition));
+    open.extend(module.properties.iter().flat_map(|property| &property.values).map(|shown| shown.node));
     while let Some(id) = open.pop() {
         if id.0 as usize >= live.len() || std::mem::replace(&mut live[id.0 as usize], true) {
             continue;
