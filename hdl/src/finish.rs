@@ -12,6 +12,7 @@ use crate::past;
 use crate::signal::Signal;
 use crate::stream::DraftStream;
 use crate::summary;
+use crate::transparent;
 
 /// Takes the innermost draft, checks it, and adds it to the finished modules. Even with problems, the added module is
 /// sound enough for checking its parents.
@@ -39,6 +40,7 @@ pub(crate) fn finish(
         check::stages::check(&draft, &e.summaries, problems);
     }
     enabled::apply(&mut draft, &e.done, &e.enables, problems);
+    transparent::apply(&mut draft);
     let nodes: Vec<_> = outputs.iter().map(|(_, node)| *node).collect();
     let mut summary = match sound {
         true => summary::summarize(&draft, &e.summaries, &nodes, &renumber),

@@ -124,6 +124,7 @@ mod stages;
 mod stream;
 mod stream_stages;
 mod summary;
+mod transparent;
 mod tree;
 mod uneven;
 mod width;

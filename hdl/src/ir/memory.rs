@@ -11,13 +11,15 @@ use crate::loc::Loc;
 /// # let example = tilewright_sim::traced(|m| {
 /// def!(count = m.reg(2).reset(0));
 /// count.next(count + 1);
-/// for (name, policy) in [("old", ReadUnderWrite::Old), ("any", ReadUnderWrite::Any)] {
+/// let policies = [("old", ReadUnderWrite::Old), ("fresh", ReadUnderWrite::New), ("any", ReadUnderWrite::Any)];
+/// for (name, policy) in policies {
 ///     let cell = m.memory(&format!("{name}_cell"), 1, 2, policy).fill(Bits::zero(2));
 ///     cell.write(lit(1, 1), 0, count);
 ///     let _ = cell.read(0).named(name);
 /// }
 /// # });
 /// assert_eq!(example.values("old"), [0, 0, 0, 1, 2]);
+/// assert_eq!(example.values("fresh"), [0, 0, 1, 2, 3]);
 /// // A circuit that relies on the result must fail its tests.
 /// assert_eq!(example.values("any"), [0, 3, 3, 2, 1]);
 /// ```
@@ -25,6 +27,10 @@ use crate::loc::Loc;
 pub enum ReadUnderWrite {
     /// The word before the edge.
     Old,
+    /// The word that is written, if it is written on the clock of the read. The circuit has a comparison of the addresses
+    /// and a multiplexer for it; a synthesizer leaves them out where the target has such memories. It is no policy of
+    /// a finished circuit, where such a read is a register.
+    New,
     /// Undefined: the cheapest memory on every FPGA. The simulator gives the old word inverted.
     Any,
 }

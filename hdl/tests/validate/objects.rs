@@ -2,7 +2,7 @@
 
 use crate::validate::common::*;
 use tilewright_hdl::ir::*;
-use tilewright_hdl::{Bits, Design, Period};
+use tilewright_hdl::{Bits, Design, Period, ReadUnderWrite};
 
 #[test]
 fn registers() {
@@ -74,6 +74,9 @@ fn memories() {
     refused("the clock of read port 0 of `top.words` is clock 5 of 2", |it| {
         memory(it, |m| m.reads[0].clock = Some(ClockId(5)))
     });
+    let new =
+        "read port 0 of `top.words` is synchronous, but gives the word that is written: that is a register beside it";
+    refused(new, |it| memory(it, |m| m.policy = ReadUnderWrite::New));
     refused("read port 0 of `top.words` is asynchronous but has an enable", |it| {
         memory(it, |m| m.reads[0].clock = None)
     });

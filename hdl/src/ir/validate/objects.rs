@@ -3,7 +3,8 @@
 use super::{Needs, Rules};
 use crate::bits::Bits;
 use crate::ir::{
-    Attribute, Contents, Directive, Init, Kind, Memory, MemoryId, Node, NodeId, Op, Piece, RegisterId, Shape,
+    Attribute, Contents, Directive, Init, Kind, Memory, MemoryId, Node, NodeId, Op, Piece, ReadUnderWrite, RegisterId,
+    Shape,
 };
 use crate::limits::WIDEST;
 use crate::loc::Loc;
@@ -73,6 +74,9 @@ impl<'a> Rules<'a> {
                 }
                 self.refers_or_plain(loc, "the address", &owner, read.address, address);
                 read.clock.into_iter().for_each(|clock| self.clock(loc, &owner, clock));
+                self.rule(read.clock.is_none() || memory.policy != ReadUnderWrite::New, loc, || {
+                    format!("{owner} is synchronous, but gives the word that is written: that is a register beside it")
+                });
                 if let Some(enable) = read.enable {
                     self.refers_or_plain(loc, "the enable", &owner, enable, bit);
                     self.rule(read.clock.is_some(), loc, || format!("{owner} is asynchronous but has an enable"));

@@ -19,3 +19,4 @@ mod until;
 mod updates;
 mod vcd;
 mod vcd_values;
+mod write_first;
