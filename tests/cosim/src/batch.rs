@@ -23,6 +23,8 @@ pub struct Printed {
     pub fails: bool,
     /// The names of the covers that were hit, in whatever instance; nothing if nobody looked.
     pub covered: Option<BTreeSet<String>>,
+    /// What its displays showed, sorted; nothing if nobody looked.
+    pub shown: Option<Vec<String>>,
 }
 
 /// A simulator of Verilog.
@@ -71,6 +73,9 @@ pub enum Refused {
 
 /// The option with which a simulator compiles that covers are printed.
 const PRINT_COVERS: &str = "-DTILEWRIGHT_COVERS";
+
+/// What the text of a display begins with in a random design. The design's prefix follows.
+pub(crate) const SHOWN: &str = "SHOWN ";
 
 /// Seconds of processor time for benches that come to an end: more than they need.
 pub const PATIENCE: u64 = 300;
@@ -129,8 +134,11 @@ fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
     let mut lines: BTreeMap<usize, Vec<&str>> = BTreeMap::new();
     let mut asserted: BTreeMap<usize, &str> = BTreeMap::new();
     let mut covered: BTreeMap<usize, BTreeSet<String>> = BTreeMap::new();
+    let mut shown: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for line in output.lines() {
-        if let Some((_, place)) = line.split_once("all_benches.bench") {
+        if let Some((prefix, _)) = line.strip_prefix(SHOWN).and_then(|rest| rest.split_once(' ')) {
+            shown.entry(prefix).or_default().push(line);
+        } else if let Some((_, place)) = line.split_once("all_benches.bench") {
             let number = place.split('.').next().and_then(|number| number.parse().ok());
             let number = number.expect("a statement says in which bench it is");
             match (line.starts_with("COVER: "), line.rsplit_once(": ")) {
@@ -152,7 +160,14 @@ fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
                 (None, false) => {
                     let (here, ours) = (covered.get(&number).cloned().unwrap_or_default(), design.covered.as_ref());
                     let differing = ours.filter(|ours| **ours != here);
-                    differing.map(|ours| format!("covered are {here:?}, but {ours:?} in the run"))
+                    let covered = differing.map(|ours| format!("covered are {here:?}, but {ours:?} in the run"));
+                    covered.or_else(|| {
+                        let prefix = design.bench.name.rsplit_once("_part").map_or("", |(prefix, _)| prefix);
+                        let mut here = shown.get(prefix).cloned().unwrap_or_default();
+                        here.sort_unstable();
+                        let differing = design.shown.as_ref().filter(|ours| **ours != here);
+                        differing.map(|ours| format!("shown is {here:#?}, but {ours:#?} in the run"))
+                    })
                 }
                 _ => None,
             },
@@ -217,7 +232,7 @@ mod tests {
     fn what_is_covered_is_compared() {
         let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<BTreeSet<_>>();
         let bench = VerilogFile { name: "bench.v".into(), text: String::new() };
-        let printed = |covered| Printed { files: vec![], bench: bench.clone(), fails: false, covered };
+        let printed = |covered| Printed { files: vec![], bench: bench.clone(), fails: false, covered, shown: None };
         let output = "COVER: time 10000: all_benches.bench0.dut: rise 3\n\
                       COVER: time 20000: all_benches.bench0.dut.row[1]: rise 3\n0: PASS: 3 steps\n";
         let verdict = |covered| verdicts(output, &[printed(covered)]);
@@ -227,6 +242,19 @@ mod tests {
             let says = verdict(Some(names(wrong)))[0].clone().expect("another set is covered");
             assert!(says.starts_with("covered are {\"rise 3\"}, but "), "{says}");
         }
+    }
+
+    #[test]
+    fn what_is_shown_is_compared() {
+        let bench = VerilogFile { name: "d1_part0_tb.v".into(), text: String::new() };
+        let printed = |shown: &[&str]| {
+            let shown = Some(shown.iter().map(|line| (*line).to_owned()).collect());
+            Printed { files: vec![], bench: bench.clone(), fails: false, covered: None, shown }
+        };
+        let output = "SHOWN d1 4: 7\nSHOWN d2 4: 7\nSHOWN d1 3: 9\n0: PASS: 3 steps\n";
+        assert_eq!(verdicts(output, &[printed(&["SHOWN d1 3: 9", "SHOWN d1 4: 7"])]), [None]);
+        let says = verdicts(output, &[printed(&["SHOWN d1 3: 9"])])[0].clone().expect("another line is shown");
+        assert!(says.starts_with("shown is ["), "{says}");
     }
 
     #[test]

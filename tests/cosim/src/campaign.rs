@@ -224,7 +224,7 @@ impl Campaign {
         spec: &Drawn,
         number: u64,
     ) -> Result<(Recording, Option<Printed>), String> {
-        let Run { recording, fails, covers } =
+        let Run { recording, fails, covers, shown } =
             stimulus::run(design, spec.stimulus()).map_err(|error| error.to_string())?;
         many::check(design, spec.stimulus(), number)?;
         let hit = covers.iter().filter(|cover| cover.count > 0);
@@ -234,6 +234,7 @@ impl Campaign {
             bench: testbench(design, &recording),
             fails,
             covered: Some(hit),
+            shown: Some(shown),
         };
         let printed = spec.is_printed().then(print);
         Ok((recording, printed))

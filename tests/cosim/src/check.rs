@@ -55,6 +55,7 @@ impl Run {
             bench: testbench(design, &recording.take()),
             fails: false,
             covered: None,
+            shown: None,
         };
         Ok(Run { printed, dump: std::fs::read_to_string(path).expect("the dump can be read") })
     }

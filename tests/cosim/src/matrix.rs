@@ -122,7 +122,13 @@ pub fn run(width: u32) -> Result<(Recording, u64), String> {
 pub fn printed(width: u32) -> Result<Printed, String> {
     let (replay, _) = run(width)?;
     let design = elaborate(&Matrix { width }).map_err(|problems| problems.to_string())?;
-    Ok(Printed { files: verilog(&design), bench: testbench(&design, &replay), fails: false, covered: None })
+    Ok(Printed {
+        files: verilog(&design),
+        bench: testbench(&design, &replay),
+        fails: false,
+        covered: None,
+        shown: None,
+    })
 }
 
 /// Edge values against each other, amounts around the width, and random ones.

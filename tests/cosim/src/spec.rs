@@ -120,6 +120,8 @@ pub enum Pattern {
 pub struct Step {
     /// Its clock.
     pub clock: ClockPick,
+    /// It is in a part that this value enables.
+    pub enabled: Option<Pick>,
     /// What it is.
     pub make: Make,
 }
@@ -236,6 +238,8 @@ pub enum Statement {
     Falls,
     /// What it was one edge ago, and so many more, is what registers held that long.
     Past(u8),
+    /// It is displayed where its lowest bit is high.
+    Displayed,
 }
 
 /// Operators of one operand.

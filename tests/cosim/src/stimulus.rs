@@ -63,8 +63,8 @@ pub fn run(design: &Design, stimulus: &Stimulus) -> Result<Run, tilewright_sim::
     let kind = if passes == Passes::none() { EngineKind::Interpreter } else { EngineKind::Compiled };
     for sim in one_or_two(Simulation::with_passes(design, &passes)?.on(kind), stimulus) {
         let other = record(design, stimulus, sim)?;
-        let same = (&recording.recording.steps, recording.fails, &recording.covers)
-            == (&other.recording.steps, other.fails, &other.covers);
+        let same = (&recording.recording.steps, recording.fails, &recording.covers, &recording.shown)
+            == (&other.recording.steps, other.fails, &other.covers, &other.shown);
         assert!(same, "it does something else with {passes:?}");
     }
     Ok(recording)
@@ -85,6 +85,8 @@ pub struct Run {
     pub fails: bool,
     /// The covers, with how often each was hit.
     pub covers: Vec<Covered>,
+    /// What displays showed, sorted.
+    pub shown: Vec<String>,
 }
 
 /// All passes but one, or none at all; code for held inputs and functions that are cut early, no memory near.
@@ -118,7 +120,7 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
     if stimulus.seed.is_multiple_of(3) {
         sim = sim.seeded(stimulus.seed | 1);
     }
-    let recording = sim.recording();
+    let (recording, messages) = (sim.recording(), sim.messages());
     let mut fails = false;
     for _ in 0..stimulus.steps {
         for (port, node) in &inputs {
@@ -139,5 +141,7 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
     // Arrays are in another order where they run one by one.
     let mut covers = sim.covers();
     covers.sort_by(|a, b| (&a.path, a.count).cmp(&(&b.path, b.count)));
-    Ok(Run { recording: recording.take(), fails, covers })
+    let mut shown = messages.lines();
+    shown.sort();
+    Ok(Run { recording: recording.take(), fails, covers, shown })
 }

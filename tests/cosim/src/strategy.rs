@@ -100,7 +100,12 @@ fn pattern() -> impl Strategy<Value = Pattern> {
 fn step() -> impl Strategy<Value = Step> {
     let make =
         prop_oneof![12 => operator().boxed(), 6 => choice().boxed(), 4 => wiring().boxed(), 10 => object().boxed()];
-    (clock(), make).prop_map(|(clock, make)| Step { clock, make })
+    (clock(), enabled(), make).prop_map(|(clock, enabled, make)| Step { clock, enabled, make })
+}
+
+/// What enables a step, of one in ten.
+fn enabled() -> impl Strategy<Value = Option<Pick>> {
+    weighted(0.1, pick())
 }
 
 fn relation() -> impl Strategy<Value = Relation> {
@@ -205,5 +210,6 @@ fn statement() -> impl Strategy<Value = Statement> {
         1 => Just(Statement::Rises),
         1 => Just(Statement::Falls),
         2 => (0..3u8).prop_map(Statement::Past),
+        1 => Just(Statement::Displayed),
     ]
 }

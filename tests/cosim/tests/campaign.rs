@@ -174,7 +174,7 @@ fn every_statement_is_generated() {
             seen.extend(module.registers.iter().any(initial).then(|| "initial".to_owned()));
         }
     }
-    assert_eq!(seen, ["Assert", "Assume", "Cover", "code", "initial", "past"].map(String::from).into());
+    assert_eq!(seen, ["Assert", "Assume", "Cover", "Display", "code", "initial", "past"].map(String::from).into());
 }
 
 #[test]

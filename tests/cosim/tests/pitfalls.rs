@@ -239,7 +239,13 @@ impl Pitfall {
             outputs: vec![Bits::from_u128(width, row[3])],
         };
         let replay = Recording { steps: self.rows.iter().enumerate().map(step).collect(), initial: Vec::new() };
-        Printed { files: verilog(&design), bench: testbench(&design, &replay), fails: false, covered: None }
+        Printed {
+            files: verilog(&design),
+            bench: testbench(&design, &replay),
+            fails: false,
+            covered: None,
+            shown: None,
+        }
     }
 }
 

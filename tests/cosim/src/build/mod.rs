@@ -285,6 +285,13 @@ impl<'a> Builder<'a> {
 
     fn step(&mut self, number: usize, step: &Step) {
         let d = self.block.domain(step.clock);
+        let Some(enable) = step.enabled else { return self.make(d, number, step) };
+        Feature::Enabled.used();
+        let enable = self.pick_fit(d, enable, 1);
+        self.on(d).enabled(enable, || self.make(d, number, step));
+    }
+
+    fn make(&mut self, d: usize, number: usize, step: &Step) {
         match &step.make {
             Make::Register { .. } => self.register(d, number, &step.make),
             Make::Pipe { .. } => self.pipe(d, number, &step.make),

@@ -46,6 +46,9 @@ impl Builder<'_> {
     pub fn memory(&mut self, d: usize, number: usize, memory: &Memory) {
         let crossing = memory.crossing && self.block.second().is_some();
         let policy = if crossing { ReadUnderWrite::Old } else { memory.policy };
+        if policy == ReadUnderWrite::New {
+            Feature::WriteFirst.used();
+        }
         let writer = if crossing { 1 - d } else { d };
         let (form, address_width) = (memory.form, index_width(memory.depth.into()));
         form.meaning.used(Feature::SignedWord, Feature::CodeWord);

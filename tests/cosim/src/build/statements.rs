@@ -3,6 +3,7 @@
 use super::form::Colour;
 use super::records::Pair;
 use super::{Builder, Kind};
+use crate::batch::SHOWN;
 use crate::features::Feature;
 use crate::spec::*;
 use tilewright_hdl::*;
@@ -18,6 +19,11 @@ impl Builder<'_> {
             Statement::Cover(pattern) => m.cover(&format!("cover {number}"), signal.eq(pattern.bits(signal.width()))),
             Statement::Rises => m.cover(&format!("rise {number}"), m.rose(signal.bit(0))),
             Statement::Falls => m.cover(&format!("fall {number}"), m.fell(signal.msb())),
+            Statement::Displayed => {
+                Feature::Displayed.used();
+                let text = format!("{SHOWN}{} {number}: {{}} {{:x}} {{:b}} {{}}", self.block.prefix);
+                m.display(signal.bit(0), &text, &[signal, signal, m.past(signal), signal.signed()]);
+            }
             Statement::Past(edges) => {
                 let (mut past, mut held) = (signal, signal);
                 for edge in 0..=edges {

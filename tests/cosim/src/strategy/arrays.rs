@@ -22,7 +22,7 @@ pub fn nested() -> impl Strategy<Value = Vec<Part>> {
 fn outer_step() -> impl Strategy<Value = Step> {
     let lanes = select(vec![2u32, 3, 4, 4, 5, 8, 8, 16, 16, 17, 33]);
     let array = lanes.prop_flat_map(|lanes| array(lanes..lanes + 1));
-    let array = (clock(), array).prop_map(|(clock, make)| Step { clock, make });
+    let array = (clock(), enabled(), array).prop_map(|(clock, enabled, make)| Step { clock, enabled, make });
     prop_oneof![3 => array.boxed(), 2 => step().boxed()]
 }
 

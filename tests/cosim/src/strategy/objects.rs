@@ -75,7 +75,8 @@ fn memory() -> impl Strategy<Value = Memory> {
         pattern().prop_map(Contents::Fill),
         vec(pattern(), 1..8).prop_map(Contents::Words),
     ];
-    let policy = prop_oneof![Just(ReadUnderWrite::Old), Just(ReadUnderWrite::Any)];
+    let policy =
+        prop_oneof![3 => Just(ReadUnderWrite::Old), 3 => Just(ReadUnderWrite::Any), 1 => Just(ReadUnderWrite::New)];
     let read = (any::<bool>(), of(control()), pick()).prop_map(|(asynchronous, enable, address)| Read {
         asynchronous,
         enable,
