@@ -4,6 +4,7 @@ mod asserts;
 mod blocks;
 mod diagrams;
 mod displays;
+mod foreign;
 mod golden;
 mod kinds;
 mod lanes;

@@ -93,22 +93,26 @@ impl<V: Data> Mem<V> {
 fn add(loc: Loc, name: &str, value: &str, to: impl Fn(&mut Draft) -> &mut Vec<Attribute>) {
     elaboration::with(|e| {
         let attributes = to(e.draft());
-        if !is_legal(name) || is_reserved(name) {
-            let problem =
-                Problem::new(Mistake::IllegalName, loc, format!("`{name}` cannot be the name of an attribute"));
-            e.report(problem.help("a name consists of letters, digits and `_`, and is not a reserved word of Verilog"));
-        } else if value.contains("*)") {
-            let problem = Problem::new(
-                Mistake::AttributeEnd,
-                loc,
-                format!("the value of the attribute `{name}` would end it: `{value}`"),
-            );
-            e.report(problem.help("an attribute of Verilog ends at `*)`, even within a string"));
-        } else if attributes.iter().any(|known| known.name == name) {
-            let problem = Problem::new(Mistake::GivenTwice, loc, format!("the attribute `{name}` is given twice"));
-            e.report(problem.help("give it once"));
-        } else {
-            attributes.push(Attribute { name: name.to_owned(), value: value.to_owned() });
+        match wrong(attributes, name, value, loc) {
+            Some(problem) => e.report(problem),
+            None => attributes.push(Attribute { name: name.to_owned(), value: value.to_owned() }),
         }
     });
+}
+
+/// What is wrong with an attribute beside those that are known.
+pub(crate) fn wrong(known: &[Attribute], name: &str, value: &str, loc: Loc) -> Option<Problem> {
+    let (mistake, message, help) = if !is_legal(name) || is_reserved(name) {
+        let message = format!("`{name}` cannot be the name of an attribute");
+        let help = "a name consists of letters, digits and `_`, and is not a reserved word of Verilog";
+        (Mistake::IllegalName, message, help)
+    } else if value.contains("*)") {
+        let message = format!("the value of the attribute `{name}` would end it: `{value}`");
+        (Mistake::AttributeEnd, message, "an attribute of Verilog ends at `*)`, even within a string")
+    } else if known.iter().any(|known| known.name == name) {
+        (Mistake::GivenTwice, format!("the attribute `{name}` is given twice"), "give it once")
+    } else {
+        return None;
+    };
+    Some(Problem::new(mistake, loc, message).help(help))
 }

@@ -1,7 +1,7 @@
 //! Blocks: a plain struct of parameters, and a function from an input bundle to an output bundle.
 
 use crate::bundle::Bundle;
-use crate::ir::About;
+use crate::ir::{About, Foreign};
 use crate::loc::Loc;
 use crate::module::Module;
 use crate::module_name::module_name;
@@ -164,6 +164,30 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// ```
     fn about(&self) -> About {
         About::default()
+    }
+
+    /// The module of somebody else that this block is in Verilog: the clause `foreign` of [`block!`](crate::block!).
+    /// The block's circuit is a model of it.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     /// A buffer of somebody's chip.
+    ///     struct Buffer;
+    ///     foreign = Foreign::module("BUF");
+    ///     in BufferIn { word: bit() }
+    ///     out BufferOut { same: bit() }
+    /// }
+    /// # impl Buffer {
+    /// #     fn build(&self, _: Module, i: BufferIn) -> BufferOut {
+    /// #         BufferOut { same: i.word }
+    /// #     }
+    /// # }
+    ///
+    /// assert_eq!(Buffer.foreign().unwrap().module, "BUF");
+    /// ```
+    fn foreign(&self) -> Option<Foreign> {
+        None
     }
 
     /// The place of the block's `block!` declaration, if it has one.

@@ -6,6 +6,7 @@ use crate::enabled::{EnabledPart, PartId};
 use crate::in_place_of::{OwnPeriod, Renamed};
 use crate::ir::*;
 use crate::loc::Loc;
+use crate::module::port_name;
 use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -54,6 +55,10 @@ pub(crate) struct Draft {
     /// further problem with them is reported. Registers and wires are declared, so their values do not count as
     /// computed.
     pub stand_ins: BTreeSet<NodeId>,
+    /// The module of somebody else for which this one is a model.
+    pub foreign: Option<Foreign>,
+    /// Where the description says that there is no model.
+    pub unmodelled: Option<Loc>,
     /// What [`Module::within`](crate::Module::within) puts before the names that are declared now.
     pub prefix: String,
     /// The clocks that run in place of others now, the innermost last.
@@ -153,6 +158,8 @@ impl Draft {
             ignored: BTreeSet::new(),
             in_problems: BTreeSet::new(),
             stand_ins: BTreeSet::new(),
+            foreign: None,
+            unmodelled: None,
             prefix: String::new(),
             renamed: Vec::new(),
             own_periods: Vec::new(),
@@ -161,6 +168,23 @@ impl Draft {
             gated: Vec::new(),
             enables: Vec::new(),
         }
+    }
+
+    /// The name of the port with this path in a bundle.
+    pub fn port(&self, path: &str) -> String {
+        self.foreign.as_ref().map_or_else(|| port_name("", path), |foreign| foreign.port_called(path))
+    }
+
+    /// The name of the port of a clock.
+    pub fn clock_port(&self, clock: Option<Clock>) -> String {
+        let given = self.foreign.as_ref().and_then(|foreign| foreign.clock_port(clock));
+        given.map_or_else(|| clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name)), str::to_owned)
+    }
+
+    /// The name of the port of a clock's reset.
+    pub fn reset_port(&self, clock: Option<Clock>) -> String {
+        let given = self.foreign.as_ref().and_then(|foreign| foreign.reset_port(clock));
+        given.map_or_else(|| clock.map_or("rst".to_owned(), |clock| format!("{}_rst", clock.name)), str::to_owned)
     }
 
     /// The name with the prefix of the part that is being described.

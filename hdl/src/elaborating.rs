@@ -2,7 +2,7 @@
 
 use crate::block::Block;
 use crate::bundle::Bundle;
-use crate::check;
+use crate::check::{self, foreign};
 use crate::clock::Period;
 use crate::draft::Draft;
 use crate::elaboration;
@@ -196,6 +196,7 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, gated: Vec<Option<&'static s
         e.drafts_begun += 1;
         let serial = e.drafts_begun;
         e.drafts.push(Draft { declared: block.declared(), gated: gated.clone(), ..Draft::new(serial, name, loc) });
+        foreign::begin(e, block.foreign());
     });
     let (before, again) = elaboration::with(|e| (e.problems.len(), e.known.has(block)));
     let (out, outputs) = describe(block, loc);
@@ -282,7 +283,7 @@ fn declare_ready(path: &str, width: Width) -> Signal {
 
 fn declare_input(path: &str, width: Width) -> Signal {
     elaboration::with(|e| {
-        let name = port_name("", path);
+        let name = e.draft().port(path);
         width.clock.into_iter().for_each(|clock| e.meet_clock(clock, width.loc));
         let index = e.draft().inputs.len() as u32;
         let node = declare(e, Op::Input(index), ("input", &name), width, width.loc);

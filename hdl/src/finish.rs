@@ -7,7 +7,6 @@ use crate::elaboration::Elaboration;
 use crate::enabled;
 use crate::ir::*;
 use crate::loc::Loc;
-use crate::module::port_name;
 use crate::past;
 use crate::signal::Signal;
 use crate::stream::DraftStream;
@@ -34,6 +33,7 @@ pub(crate) fn finish(
     let resets = find_resets(&draft, &e.done);
     let name = check::naming::check(&mut draft, &e.done, &outputs, &resets, name, problems);
     check::unused::check(&draft, &outputs, problems);
+    check::foreign::check(&draft, &e.done, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
     let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);
     if sound {
@@ -84,10 +84,10 @@ fn place_clocks(draft: &mut Draft) -> Vec<Option<u32>> {
 /// For each clock of the draft, the name of its reset port, if a register uses the reset or an assertion waits for
 /// it.
 fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
-    let mut resets = vec![None; draft.clocks.len()];
+    let given = |clock: &Option<crate::clock::Clock>| draft.foreign.as_ref()?.reset_port(*clock).map(str::to_owned);
+    let mut resets: Vec<Option<String>> = draft.clocks.iter().map(given).collect();
     let mut needs = |clock: ClockId| {
-        let name = draft.clocks[clock.0 as usize].map_or("rst".to_owned(), |clock| format!("{}_rst", clock.name));
-        resets[clock.0 as usize] = Some(name);
+        resets[clock.0 as usize] = Some(draft.reset_port(draft.clocks[clock.0 as usize]));
     };
     draft.registers.iter().filter(|register| register.reset.is_some()).for_each(|register| needs(register.clock));
     draft.properties.iter().for_each(|draft| needs(draft.property.clock));
@@ -128,16 +128,15 @@ fn module(
     let loc = place(&draft);
     let clocks = draft.clocks.iter().zip(resets).zip(renumber).filter(|(_, place)| place.is_some());
     let clocks = clocks.map(|((clock, reset), _)| Clock {
-        port: clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name)),
+        port: draft.clock_port(*clock),
         reset: reset.clone(),
         period: clock.map(|clock| clock.period),
         name: clock.map(|clock| clock.name),
     });
     let clocks = clocks.collect();
     let known = |clock: Option<ClockId>| clock.and_then(|clock| renumber[clock.0 as usize]).map(ClockId);
-    let inputs = draft.inputs.into_iter().map(|input| Input { clock: known(input.clock), ..input }).collect();
-    let output =
-        |((path, node), kind): ((String, NodeId), Kind)| Output { name: port_name("", &path), path, node, kind };
+    let inputs = draft.inputs.iter().map(|input| Input { clock: known(input.clock), ..input.clone() }).collect();
+    let output = |((path, node), kind): ((String, NodeId), Kind)| Output { name: draft.port(&path), path, node, kind };
     let outputs = outputs.map(output).collect();
     let registers = draft.registers.into_iter().map(|register| Register {
         node: register.node,
@@ -177,5 +176,7 @@ fn module(
         memories,
         instances,
         properties,
+        foreign: draft.foreign,
+        unmodelled: draft.unmodelled.is_some(),
     }
 }

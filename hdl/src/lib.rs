@@ -47,6 +47,7 @@
 //! | a stream: a payload with `valid` and `ready` | `stream(Job { .. })` in [`block!`] declares a field of type `Stream<Job<T>, T>`; [`Stream::take_when`], [`Module::offer`]; [`Module::stream_wire`] in a loop of blocks, [`Stream::lanes`] for the streams of an array |
 //! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
 //! | an instance, an array of instances | [`def!`]`(adder = m.instance(..))`; [`Module::instance`], [`Module::array`] |
+//! | a module of somebody else: a PLL, a pin, a memory of the chip | `foreign = `[`Foreign::module`]`("SB_PLL40_CORE")..;` in [`block!`], whose `build` is a model of it, or [`Module::unmodelled`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | a property: an assertion, an assumption, a cover | [`Module::assert`], [`Module::assume`], [`Module::cover`], with [`implies`](Signal::implies), [`Module::past`], [`Module::rose`] |
 //!
@@ -85,6 +86,7 @@ mod elaboration;
 mod enabled;
 mod fields;
 mod finish;
+mod foreign;
 mod graph;
 mod in_place_of;
 mod index;
@@ -154,7 +156,7 @@ pub use elaborating::{DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate_
 pub use fields::{Fields, Leaf, Visited};
 pub use index::Index;
 pub use integers::Integer;
-pub use ir::{About, Design, ReadUnderWrite, Shape};
+pub use ir::{About, Design, Foreign, ReadUnderWrite, Shape};
 pub use lanes::{constants, interleave, stack};
 pub use loc::Loc;
 pub use low::Low;

@@ -151,6 +151,16 @@ mistakes! {
     NumberForRecord = 508,
     /// A list of ports is too long.
     TooManyPorts = 509,
+    /// A foreign module names a port that its block does not have.
+    NoSuchPort = 510,
+    /// The model of a foreign module has state, whose clock or reset is none of its ports.
+    NoClockPort = 511,
+    /// A foreign module without a model is simulated.
+    NoModel = 512,
+    /// A block without a circuit is no foreign module.
+    NoForeignModule = 513,
+    /// A parameter of a foreign module has no value in Verilog.
+    NoValue = 514,
 
     /// Two shapes meet that differ.
     UnequalShapes = 601,

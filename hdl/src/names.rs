@@ -75,6 +75,19 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
         }
         taken.entry(&module.name).or_insert(i);
     }
+    for (i, module) in e.done.iter().enumerate() {
+        let Some(foreign) = &module.foreign else { continue };
+        if let Some(&described) = taken.get(foreign.module.as_str()) {
+            let message = format!(
+                "`{}` is a foreign module, and the module of `{}`",
+                foreign.module, e.done[described].parameters
+            );
+            let problem = Problem::new(Mistake::ModuleNamedTwice, foreign.loc, message)
+                .note("the foreign module is instantiated", e.instantiated[i])
+                .note(format!("`{}` is described", e.done[described].parameters), e.done[described].loc);
+            problems.push(problem.help("give the block another name, by `name = ..` in `block!`"));
+        }
+    }
     problems.into_iter().for_each(|problem| e.report(problem));
 }
 

@@ -207,7 +207,7 @@ pub(crate) fn only_where(
 fn name_registers(draft: &mut Draft, passed: impl Iterator<Item = NodeId>, outputs: &[(String, NodeId)]) {
     let mut taken: BTreeSet<String> = draft.nodes.iter().filter_map(|node| node.name.clone()).collect();
     taken.extend(draft.inputs.iter().map(|input| input.name.clone()));
-    taken.extend(outputs.iter().map(|(path, _)| crate::module::port_name("", path)));
+    taken.extend(outputs.iter().map(|(path, _)| draft.port(path)));
     taken.extend(draft.memories.iter().map(|draft| draft.memory.name.clone()));
     taken.extend(draft.instances.iter().map(|instance| instance.name.clone()));
     let mut pasts: Vec<(NodeId, NodeId)> = draft.pasts.iter().map(|((of, ..), past)| (*past, *of)).collect();

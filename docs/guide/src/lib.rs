@@ -2,6 +2,7 @@
 
 pub mod blink;
 pub mod book;
+pub mod button;
 pub mod cheat_sheet;
 pub mod counter;
 pub mod grammar;

@@ -9,6 +9,7 @@ use tilewright_blocks::PowerOnReset;
 use tilewright_gen::tools::{skipped, skipped_without};
 use tilewright_guide::blink::Blink;
 use tilewright_guide::book::{Fence, commands, fences, folder, stands_in};
+use tilewright_guide::button::Button;
 use tilewright_guide::mistakes::unguarded::Unguarded;
 use tilewright_guide::solutions::apart::Apart;
 use tilewright_guide::uart::echo::Echo;
@@ -29,6 +30,10 @@ fn folder_of(name: &str) -> TempDir {
             for file in ["blink.v", "blink.pcf"] {
                 fs::copy(folder().join("board").join(file), made.path().join(file)).unwrap();
             }
+        }
+        "button" => {
+            print(&Button, made.path());
+            fs::copy(folder().join("board/button.pcf"), made.path().join("button.pcf")).unwrap();
         }
         "board" => {
             print(&PowerOnReset::new(16), made.path());

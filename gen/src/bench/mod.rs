@@ -20,7 +20,8 @@ use tilewright_hdl::{Bits, Recording};
 /// both `iverilog -g2005` and `verilator --binary`. It prints `PASS: n cycles` and finishes, or it prints the first
 /// mismatches by port and cycle and ends with a non-zero status. A failing assertion of the design is printed as
 /// `FAIL: time t: INSTANCE: message`, and ends the run immediately with a non-zero status. With
-/// `-DTILEWRIGHT_COVERS`, the testbench prints the covers that are hit.
+/// `-DTILEWRIGHT_COVERS`, the testbench prints the covers that are hit. A design with foreign modules needs
+/// `-DTILEWRIGHT_MODELS`.
 ///
 /// ```
 /// # use tilewright_hdl::*;

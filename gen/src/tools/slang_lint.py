@@ -13,7 +13,7 @@ from pyslang.driver import Driver
 ALLOWED = ["unused-net", "sign-conversion", "arith-op-mismatch"]
 
 tops, files = sys.argv[1].split(","), sys.argv[2:]
-flags = ["-Weverything"] + ["-Wno-" + name for name in ALLOWED]
+flags = ["-Weverything", "-DTILEWRIGHT_MODELS"] + ["-Wno-" + name for name in ALLOWED]
 driver = Driver()
 driver.addStandardArgs()
 ok = driver.parseCommandLine(" ".join(["slang", "-Werror"] + ["--top=" + top for top in tops] + flags + files))

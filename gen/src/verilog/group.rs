@@ -5,7 +5,8 @@
 //! lane, and no tool sees a combinational loop where the lanes only form a chain.
 
 use super::branches::Target;
-use super::layout::{connect, generate, range, with_place, wrapped};
+use super::foreign::instantiate;
+use super::layout::{generate, range, with_place, wrapped};
 use super::literal::{Style, literal};
 use super::part::Index;
 use super::plan::Form;
@@ -332,7 +333,7 @@ impl Printer<'_> {
         for (port, &output) in child.outputs.iter().zip(&instance.outputs) {
             connections.push((port.name.clone(), self.target(output)));
         }
-        connect(&child.name, &self.lanes.groups[group].instances[&(id.0 as usize)], &connections)
+        instantiate(child, &self.lanes.groups[group].instances[&(id.0 as usize)], &connections, None)
     }
 
     /// Ties off the bits that no reader uses in some lane; these are known only after everything else is printed.

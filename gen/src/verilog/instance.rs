@@ -1,6 +1,7 @@
 //! Instances, with every port connected by name.
 
-use super::layout::{connect, range, with_place};
+use super::foreign::instantiate;
+use super::layout::{range, with_place};
 use super::printer::Printer;
 use tilewright_hdl::ir::{Instance, Module};
 
@@ -35,9 +36,7 @@ impl Printer<'_> {
         for (port, &output) in child.outputs.iter().zip(&instance.outputs) {
             connections.push((port.name.clone(), self.name(output).to_string()));
         }
-        let mut out = connect(&child.name, &instance.name, &connections);
-        out[0] = with_place(std::mem::take(&mut out[0]), instance.loc);
-        out
+        instantiate(child, &instance.name, &connections, Some(instance.loc))
     }
 
     /// The clocks and resets of an instance.

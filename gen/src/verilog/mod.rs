@@ -6,6 +6,7 @@ mod constant;
 mod contents;
 mod expression;
 mod fold;
+mod foreign;
 mod group;
 mod groups;
 mod instance;
@@ -52,6 +53,9 @@ use tilewright_hdl::ir::{Design, Module};
 ///
 /// The text is a Verilog-2001 subset with ANSI ports. It causes no warnings in Verilator, Icarus, Yosys and slang,
 /// has the same bytes for the same design, and uses the names of the description.
+///
+/// A foreign module is instantiated with its parameters. If the macro `TILEWRIGHT_MODELS` is defined, its model is
+/// instantiated in its place: for simulators, as in `iverilog -DTILEWRIGHT_MODELS`, and for linters.
 ///
 /// ```
 /// # use tilewright_hdl::*;

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use super::foreign::MODELS;
 use super::group::UNREAD;
 use super::layout::{broken, prose, range, with_place, wrapped};
 use super::plan::Form;
@@ -84,6 +85,10 @@ fn header(module: &Module, latency: Option<&Latency>) -> String {
         lines.push(format!("{title:11} {}", words.join(" ")));
     }
     lines.push(format!("{:11} {}:{}", "Described", module.loc.file(), module.loc.line()));
+    if let Some(foreign) = &module.foreign {
+        let title = if module.unmodelled { "Stub of" } else { "Model of" };
+        lines.push(format!("{title:11} {}, in whose place it is if {MODELS} is defined", foreign.module));
+    }
     lines.extend(quasi_static(module));
     let comment = |line: &String| if line.is_empty() { "//\n".to_string() } else { format!("// {line}\n") };
     format!("{}`default_nettype none\n\n", lines.iter().map(comment).collect::<String>())

@@ -2,6 +2,7 @@
 
 pub(crate) mod domains;
 pub(crate) mod drives;
+pub(crate) mod foreign;
 mod lane_loops;
 pub(crate) mod latency;
 pub(crate) mod loops;

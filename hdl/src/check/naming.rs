@@ -5,7 +5,6 @@ use crate::draft::Draft;
 use crate::ir::{Instance, Module, NodeId, Op};
 use crate::loc::Loc;
 use crate::mistake::Mistake;
-use crate::module::port_name;
 use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
 use crate::problem::Problem;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -22,7 +21,7 @@ pub(crate) fn check(
 ) -> String {
     let mut names = Names { taken: BTreeMap::new(), problems };
     for (i, clock) in draft.clocks.iter().enumerate().filter(|(i, _)| draft.clock_used[*i]) {
-        let port = clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name));
+        let port = draft.clock_port(*clock);
         names.port("clock", &port, draft.loc);
         resets[i].iter().for_each(|reset| names.port("reset", reset, draft.loc));
     }
@@ -30,10 +29,10 @@ pub(crate) fn check(
         names.port("input", &input.name, draft.node(input.node).loc);
     }
     for (path, node) in outputs {
-        names.port("output", &port_name("", path), draft.node(*node).loc);
+        names.port("output", &draft.port(path), draft.node(*node).loc);
     }
     let ports = names.taken.keys().cloned().collect();
-    let driven: Vec<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, port_name("", path))).collect();
+    let driven: Vec<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, draft.port(path))).collect();
     numbering::number(draft, &driven, &ports);
     name_reads(draft);
     let driven: HashSet<(NodeId, String)> = driven.into_iter().collect();

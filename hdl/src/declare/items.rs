@@ -14,6 +14,14 @@ macro_rules! block_items {
         }
     };
 
+    (@foreign []) => {};
+    (@foreign [=> $module:expr]) => { $crate::block_items! { @foreign [self => $module] } };
+    (@foreign [$this:ident => $module:expr]) => {
+        fn foreign(&$this) -> ::std::option::Option<$crate::Foreign> {
+            ::std::option::Option::Some($module)
+        }
+    };
+
     (@bundle $vis:tt $what:literal $name:ident []) => {};
     (@bundle $vis:tt $what:literal $name:ident [= $($bundle:tt)*]) => {};
     (@bundle [$vis:vis] $what:literal $name:ident [

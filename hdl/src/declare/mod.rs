@@ -182,6 +182,8 @@ pub use widths::{declared, list};
 /// assert_eq!(elaborate(&Uart { clocks_per_bit: 868 })?.top().name, "uart");
 /// # Ok::<(), Problems>(())
 /// ```
+///
+/// The clause `foreign` says which module of somebody else the block is in Verilog: [`Foreign::module`](crate::Foreign::module).
 #[macro_export]
 macro_rules! block {
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident; $($clauses:tt)*) => {
@@ -189,7 +191,7 @@ macro_rules! block {
         #[derive(Debug, Clone, PartialEq, Eq, Hash)]
         $vis struct $name;
 
-        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name [] [] []] [""] [""] [] [] $($clauses)* }
+        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name [] [] [] []] [""] [""] [] [] $($clauses)* }
     };
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident $(<$($of:ident: $first:ident $(+ $bound:ident)*),+>)? {
         $($fields:tt)*
@@ -199,24 +201,32 @@ macro_rules! block {
         $vis struct $name $(<$($of: $first $(+ $bound)*),+>)? { $($fields)* }
 
         $crate::block! {
-            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?] [] []] [""] [""] [] [] $($clauses)*
+            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?] [] [] []] [""] [""] [] [] $($clauses)*
         }
     };
 
-    // The clauses, in sequence: the ranges of parameters, the name, the latency, the source, the inputs and the outputs.
-    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt [] $called:tt] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
+    // The clauses, in sequence: the ranges of parameters, the name, the foreign module, the latency, the source, the inputs and the outputs.
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt [] $called:tt $foreign:tt] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
         $($(#[$($said:tt)*])* $parameter:ident: $range:expr),* $(,)?
     } $($rest:tt)*) => {
         $crate::block! {
-            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] $parameter [$range]})*] $called]
+            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] $parameter [$range]})*] $called $foreign]
             $latency $source $in $out $($rest)*
         }
     };
-    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt []] $latency:tt $source:tt $in:tt $out:tt
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt [] $foreign:tt] $latency:tt $source:tt $in:tt $out:tt
         name $(($this:ident))? = $said:expr; $($rest:tt)*
     ) => {
         $crate::block! {
-            @clauses [$attributes $vis $name $of $ranges [$($this)? => $said]] $latency $source $in $out $($rest)*
+            @clauses [$attributes $vis $name $of $ranges [$($this)? => $said] $foreign] $latency $source $in $out $($rest)*
+        }
+    };
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt $called:tt []] $latency:tt $source:tt $in:tt $out:tt
+        foreign $(($this:ident))? = $module:expr; $($rest:tt)*
+    ) => {
+        $crate::block! {
+            @clauses [$attributes $vis $name $of $ranges $called [$($this)? => $module]]
+            $latency $source $in $out $($rest)*
         }
     };
     (@clauses $block:tt $latency:tt $source:tt $in:tt $out:tt latency $(($this:ident))? = $said:expr; $($rest:tt)*) => {
@@ -251,7 +261,7 @@ macro_rules! block {
     };
 
     // Everything is known.
-    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*] $ranges:tt $called:tt]
+    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*] $ranges:tt $called:tt $foreign:tt]
         $latency:tt [$source:expr] $in:tt $out:tt
     ) => {
         $crate::block_items! { @bundle $vis "The inputs of [`" $name $in }
@@ -265,6 +275,7 @@ macro_rules! block {
             $crate::block_items! { @outputs $out }
             $crate::block_items! { @ranges $ranges }
             $crate::block_items! { @name $called }
+            $crate::block_items! { @foreign $foreign }
             $crate::block_items! { @about [$([$($attribute)*])*] $latency [$source] }
 
             fn declared(&self) -> ::std::option::Option<$crate::Loc> {

@@ -1,7 +1,8 @@
 //! A whole circuit.
 
 use super::{Module, ModuleId, validate};
-use crate::problem::Problems;
+use crate::mistake::Mistake;
+use crate::problem::{Problem, Problems};
 
 /// A whole circuit. It satisfies every rule of this module, so its readers need no checks.
 ///
@@ -50,6 +51,32 @@ impl Design {
     pub fn new(modules: Vec<Module>) -> Result<Design, Problems> {
         let problems = validate::validate(&modules);
         if problems.is_empty() { Ok(Design { modules }) } else { Err(Problems(problems)) }
+    }
+
+    /// Whether each foreign module has a model, as a simulation needs it.
+    ///
+    /// # Errors
+    ///
+    /// Every foreign module without one.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
+    /// def!(late = m.pipe(i.word));
+    /// #     ShownOut { late }
+    /// # };
+    /// assert!(design.check_models().is_ok()); // there are no foreign modules
+    /// ```
+    pub fn check_models(&self) -> Result<(), Problems> {
+        let missing = self.modules.iter().filter(|module| module.unmodelled);
+        let problem = |module: &Module| {
+            let name = module.foreign.as_ref().map_or(&module.name, |foreign| &foreign.module);
+            let message = format!("foreign module `{name}` has no model, so the design cannot be simulated");
+            let help = "describe a model in the block's `build`, in place of `m.unmodelled(..)`";
+            Problem::new(Mistake::NoModel, module.loc, message).help(help)
+        };
+        let problems: Vec<Problem> = missing.map(problem).collect();
+        if problems.is_empty() { Ok(()) } else { Err(Problems(problems)) }
     }
 
     /// The modules, each after the modules that it instantiates. The top module is the last.

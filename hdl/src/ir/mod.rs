@@ -13,6 +13,7 @@
 mod affine;
 mod design;
 mod display;
+mod foreign;
 mod ids;
 mod kind;
 pub(crate) mod latency;
@@ -31,6 +32,7 @@ use std::collections::BTreeMap;
 pub use affine::Affine;
 pub use design::Design;
 pub use display::{Format, Piece, Shown};
+pub use foreign::{Foreign, Parameter};
 pub use ids::{ClockId, InstanceId, MemoryId, ModuleId, NodeId, RegisterId};
 pub use kind::{Kind, Names};
 pub use latency::Latency;
@@ -81,6 +83,10 @@ pub struct Module {
     pub instances: Vec<Instance>,
     /// The properties: assertions, assumptions, covers and displays.
     pub properties: Vec<Property>,
+    /// The module of somebody else for which this one is a model.
+    pub foreign: Option<Foreign>,
+    /// Whether that model is missing, and the outputs are zeros in its place.
+    pub unmodelled: bool,
 }
 
 /// A block's description in words, carried into the Verilog header and the documentation.

@@ -74,7 +74,8 @@ pub(crate) fn untaken(e: &mut Elaboration, origin: Origin, shape: Shape, clock: 
     let draft = e.draft();
     let node = draft.add(Op::Wire(UNDRIVEN), 1, shape, loc);
     if let Origin::Input(path) = &origin {
-        draft.node_mut(node).name = Some(format!("{}_ready", port_name("", path)));
+        let name = draft.port(&format!("{path}.ready"));
+        draft.node_mut(node).name = Some(name);
     }
     let wire = draft.wires.len();
     draft.wires.push(DraftWire { node, driver: None });
@@ -165,7 +166,7 @@ pub(crate) fn leave(path: &str, ready: Signal, loc: Loc) {
             None if is_own => draft.node(ready.node).loc,
             None => loc,
         };
-        let name = port_name("", path);
+        let name = draft.port(path);
         let index = draft.inputs.len() as u32;
         let node = draft.add(Op::Input(index), 1, ready.shape, loc);
         draft.node_mut(node).name = Some(name.clone());

@@ -8,6 +8,7 @@ mod common;
 mod elaborations;
 mod enabled;
 mod first_mistakes;
+mod foreign;
 mod handles;
 mod instances;
 mod integers;

@@ -31,6 +31,8 @@ impl Build {
             memories: vec![],
             instances: vec![],
             properties: vec![],
+            foreign: None,
+            unmodelled: false,
         };
         Build { module }
     }

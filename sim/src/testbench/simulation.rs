@@ -88,7 +88,7 @@ impl Simulation {
     ///
     /// # Errors
     ///
-    /// None at present: every [`Design`] can be compiled.
+    /// [`Error::Description`] if a foreign module has no model.
     pub fn from_design(design: &Design) -> Result<Simulation, Error> {
         Simulation::with_passes(design, &Passes::default())
     }
@@ -123,6 +123,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         o: O::Of<Port>,
         passes: &Passes,
     ) -> Result<Simulation<I, O>, Error> {
+        design.check_models()?;
         #[cfg(feature = "mutation")]
         let design = &tilewright_mutants::from_environment(design);
         let inputs = PortOrder::of::<I>(&i);

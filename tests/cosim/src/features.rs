@@ -29,7 +29,7 @@ features! {
     InitialOfLanes InitialOfARecord ResetEach TakeOr Interleave TreeOfRecords
     CrossByFifo StreamStages ForkToMany SplitToMany ArbiterOfMany CodeInAStream SignedInAStream
     Counter ShiftRegister Lfsr Encoders Shifter Multiplier Crc
-    Enabled Displayed WriteFirst
+    Enabled Displayed WriteFirst Foreign
     InitialInShapes UpdatesInShapes RecordInShapes CoverInShapes PastInShapes
 }
 

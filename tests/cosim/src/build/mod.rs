@@ -158,6 +158,19 @@ impl Block for PartBlock {
     fn name(&self) -> String {
         format!("{self:?}")
     }
+
+    /// Some parts are models of foreign modules, with ports of other names.
+    fn foreign(&self) -> Option<Foreign> {
+        let is_top = self.index + 1 == self.spec.parts.len();
+        if is_top || self.part().steps.len() % 3 != 1 {
+            return None;
+        }
+        Feature::Foreign.used();
+        let foreign =
+            Foreign::module(&format!("FOREIGN_{self:?}")).clock("CK").reset("RS").parameter("PART", self.index as u32);
+        let of_second = |foreign: Foreign, second| foreign.clock_of(second, "CK2").reset_of(second, "RS2");
+        Some(self.second().into_iter().fold(foreign, of_second))
+    }
 }
 
 /// A value that later steps may pick.

@@ -1,0 +1,142 @@
+//! Foreign modules: what their descriptions and their models may disagree about.
+
+use crate::messages::common::*;
+use tilewright_hdl::*;
+
+/// A register with a reset that stands for a foreign module.
+#[derive(Clone, PartialEq, Eq, Hash)]
+#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
+struct FlipFlop {
+    on: Option<Clock>,
+    foreign: fn() -> Foreign,
+}
+
+impl std::fmt::Debug for FlipFlop {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str("FlipFlop")
+    }
+}
+
+impl Block for FlipFlop {
+    type In = Link;
+    type Out = Out;
+
+    fn inputs(&self) -> Link<Width> {
+        Link { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: Link) -> Out {
+        let m = self.on.map_or(m, |clock| m.on(clock));
+        def!(held = m.reg(8).reset(0));
+        held.next(i.x);
+        Out { out: *held }
+    }
+
+    fn foreign(&self) -> Option<Foreign> {
+        Some((self.foreign)())
+    }
+}
+
+fn says(foreign: fn() -> Foreign, message: &str) {
+    let found = problems(&FlipFlop { on: None, foreign });
+    assert!(found.starts_with(message), "{found}");
+}
+
+#[test]
+fn state_of_a_model_needs_the_ports_of_its_clock() {
+    assert_eq!(
+        problems(&FlipFlop { on: None, foreign: || Foreign::module("DFF") }),
+        "the model `FlipFlop` has state with a clock, but `DFF` has no port for it [T511]\n  \
+         --> [def!(held = m.reg(8).reset(0));]\n  \
+         help: name the port: `.clock(\"..\")` behind `Foreign::module(\"DFF\")`"
+    );
+    assert_eq!(
+        problems(&FlipFlop { on: Some(FAST), foreign: || Foreign::module("DFF").clock_of(FAST, "C") }),
+        "the model `FlipFlop` has state with a reset of `fast`, but `DFF` has no port for it [T511]\n  \
+         --> [def!(held = m.reg(8).reset(0));]\n  \
+         help: name the port: `.reset_of(FAST, \"..\")` behind `Foreign::module(\"DFF\")`, \
+         or use `.initial(..)` in place of `.reset(..)`"
+    );
+    says(|| Foreign::module("DFF").clock("C"), "the model `FlipFlop` has state with a reset, but `DFF` has no port");
+    let right = FlipFlop { on: None, foreign: || Foreign::module("DFF").clock("C").reset("R") };
+    assert!(elaborate(&right).is_ok());
+}
+
+#[test]
+fn names_that_verilog_does_not_take() {
+    let right = || Foreign::module("DFF").clock("C").reset("R");
+    assert!(elaborate(&FlipFlop { on: None, foreign: right }).is_ok());
+    for (foreign, message) in [
+        (
+            (|| Foreign::module("D FF").clock("C").reset("R")) as fn() -> Foreign,
+            "`D FF` cannot be the name of a foreign module [T403]",
+        ),
+        (
+            || Foreign::module("DFF").clock("C").reset("R").parameter("begin", 1),
+            "`begin` cannot be the name of a parameter [T403]",
+        ),
+        (
+            || Foreign::module("DFF").clock("C").reset("R").attribute("no name", "1"),
+            "`no name` cannot be the name of an attribute [T403]",
+        ),
+        (|| Foreign::module("DFF").clock("C C").reset("R"), "`C C` cannot be the name of a clock [T403]"),
+        (|| Foreign::module("DFF").clock("C").reset("R").port("x", "C"), "input `C` has the name of a clock [T401]"),
+        (
+            || Foreign::module("DFF").clock("C").reset("R").parameter("INIT", 1).parameter("INIT", 0),
+            "parameter `INIT` of `DFF` is given twice [T303]",
+        ),
+        (
+            || Foreign::module("DFF").clock("C").reset("R").parameter("PERIOD", f64::NAN),
+            "parameter `PERIOD` of `DFF` is NaN, which is no number of Verilog [T514]",
+        ),
+        (
+            || Foreign::module("DFF").clock("C").reset("R").port("d", "D"),
+            "port `D` of `DFF` is to be `d`, but `FlipFlop` has no such port [T510]",
+        ),
+        (
+            || Foreign::module("flip_flop").clock("C").reset("R"),
+            "`flip_flop` is a foreign module, and the module of `FlipFlop` [T405]",
+        ),
+    ] {
+        says(foreign, message);
+    }
+}
+
+block! {
+    /// An oscillator that nothing is known of.
+    struct Oscillator;
+    foreign = Foreign::module("OSC").capitals();
+    in = Link { x: bits(8) };
+    out = Out { out: bits(8) };
+}
+
+impl Oscillator {
+    fn build(&self, m: Module, i: Link) -> Out {
+        m.unmodelled(&i, Out { out: bits(8) })
+    }
+}
+
+#[test]
+fn a_simulation_needs_models() {
+    let design = elaborate(&Case(|m, i| m.instance("u_oscillator", &Oscillator, Link { x: i.a }).out)).unwrap();
+    let says = "foreign module `OSC` has no model, so the design cannot be simulated [T512]";
+    for error in [
+        design.check_models().map_err(|problems| problems.to_string()),
+        tilewright_sim::Simulation::from_design(&design).map(|_| ()).map_err(|error| error.to_string()),
+        tilewright_sim::Batch::of(&Oscillator, 2).map(|_| ()).map_err(|error| error.to_string()),
+    ] {
+        let error = error.unwrap_err();
+        assert!(error.starts_with(says), "{error}");
+        assert!(error.contains("describe a model in the block's `build`, in place of `m.unmodelled(..)`"), "{error}");
+    }
+}
+
+#[test]
+fn only_a_foreign_module_is_without_a_circuit() {
+    expect(
+        |m, i| m.unmodelled(&i, bits(8)),
+        "`Case` is described as unmodelled, but is no foreign module [T513]
+         --> [|m, i| m.unmodelled(&i, bits(8)),]
+         help: name the module in `block!`, as in `foreign = Foreign::module(\"EHXPLLL\");`, or describe a circuit",
+    );
+}
