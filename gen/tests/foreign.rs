@@ -1,5 +1,6 @@
-//! Foreign modules: instances of them with their parameters, or of their models.
+//! Foreign modules: instances of them with their parameters, or of their models. Pads, and clocks that are made inside.
 
+use std::process::Command;
 use tilewright_gen::tools::{self, Target};
 use tilewright_gen::{VerilogFile, verilog};
 use tilewright_hdl::*;
@@ -70,12 +71,17 @@ fn files() -> Vec<VerilogFile> {
     verilog(&elaborate(&Pins).unwrap())
 }
 
+/// The text of the top.
+fn without_comments(files: &[VerilogFile]) -> String {
+    let lines = files.last().unwrap().text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let lines = lines.map(|line| line.split(" //").next().unwrap_or_default().trim_end());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
 #[test]
 fn an_instance_is_of_the_module_or_of_its_model() {
     let files = files();
-    let text = &files.last().unwrap().text;
-    let without_places: Vec<&str> = text.lines().map(|line| line.split(" //").next().unwrap().trim_end()).collect();
-    let text = without_places.join("\n");
+    let text = without_comments(&files);
     for instance in [
         "`ifdef TILEWRIGHT_MODELS
     buffer u_buffer (
@@ -125,4 +131,172 @@ fn yosys_makes_the_cells_of_them() {
             assert_eq!(cells.get(cell), Some(&count), "{cell} of {cells:?}");
         }
     }
+}
+
+const VIDEO: Clock = Clock::new("video", Period::ps(39_722));
+
+block! {
+    /// A PLL of an iCE40: 25.125 MHz of 12 MHz.
+    struct Pll;
+    foreign = Foreign::module("SB_PLL40_CORE")
+        .parameter("FEEDBACK_PATH", "SIMPLE")
+        .parameter("DIVR", Bits::new(4, 0))
+        .parameter("DIVF", Bits::new(7, 66))
+        .parameter("DIVQ", Bits::new(3, 5))
+        .parameter("FILTER_RANGE", Bits::new(3, 1))
+        .clock("REFERENCECLK")
+        .makes(VIDEO, "PLLOUTCORE")
+        .capitals();
+    in PllIn { resetb: bit(), bypass: bit() }
+    out PllOut { lock: bit() }
+}
+
+impl Pll {
+    fn build(&self, m: Module, i: PllIn) -> PllOut {
+        m.ignore(&i.bypass);
+        PllOut { lock: i.resetb }
+    }
+}
+
+block! {
+    /// A counter on a clock that is made inside, an open drain, and a bus.
+    struct Chip;
+    in ChipIn {
+        /// The chip calls.
+        call: bit(),
+        /// The chip drives the bus.
+        drive: bit().on(VIDEO),
+        /// The line on which all call.
+        irq: Outside::widths(1),
+        /// The bus.
+        bus: Outside { value: bits(4), drives: bit() }.on(VIDEO),
+    }
+    out ChipOut {
+        /// Somebody calls.
+        called: bit(),
+        /// The bus.
+        bus_line: bits(4),
+        /// The clock is there.
+        lock: bit(),
+    }
+}
+
+impl Chip {
+    fn build(&self, m: Module, i: ChipIn) -> ChipOut {
+        def!(pll = m.instance(&Pll, PllIn { resetb: lit(1, 1), bypass: lit(1, 0) }));
+        let video = m.on(VIDEO);
+        def!(count = video.reg(4).reset(0));
+        count.next(count + 1);
+        def!(irq = m.instance(&Pad::new(1).pull_up(), PadIn::open_drain(i.call, i.irq)));
+        def!(bus = video.instance(&Pad::new(4), PadIn { out: *count, enable: i.drive, outside: i.bus }));
+        ChipOut { called: !irq.line, bus_line: bus.line, lock: pll.lock }
+    }
+}
+
+fn chip() -> Vec<VerilogFile> {
+    verilog(&elaborate(&Chip).unwrap())
+}
+
+#[test]
+fn the_top_of_a_chip_has_other_ports_than_that_of_a_simulation() {
+    let text = without_comments(&chip());
+    for part in [
+        "module chip (
+`ifdef TILEWRIGHT_MODELS
+    input  wire       video_clk,
+    input  wire       irq_value,
+    input  wire       irq_drives,
+    input  wire [3:0] bus_value,
+    input  wire       bus_drives,
+    output wire [3:0] bus_line,
+`else
+    inout  wire       irq,
+    inout  wire [3:0] bus,
+`endif
+    input  wire       clk,
+    input  wire       rst,
+    input  wire       video_rst,
+    input  wire       call,
+    input  wire       drive,
+    output wire       called,
+    output wire       lock
+);",
+        "`ifndef TILEWRIGHT_MODELS
+    wire video_clk;
+    wire [3:0] bus_line;
+`endif",
+        "    ) u_pll (
+        .PLLOUTCORE   (video_clk),
+`endif
+        .REFERENCECLK (clk),",
+        "`else
+    assign bus = drive ? count : 4'bz;
+    assign bus_line = bus;
+`endif",
+        "`else
+    assign irq = call ? 1'b0 : 1'bz;
+    assign u_irq_line = irq;
+`endif",
+    ] {
+        assert!(text.contains(part), "{part}\n is not in\n{text}");
+    }
+}
+
+#[test]
+fn linters_take_the_models_of_pads_and_of_a_made_clock() {
+    tools::lint(&chip()).unwrap();
+}
+
+#[test]
+fn yosys_makes_pins_and_a_pll() {
+    if let Some(cells) = tools::cells(&chip(), Target::Ice40).unwrap() {
+        let drivers = cells.get("$_TBUF_").or(cells.get("SB_IO"));
+        assert_eq!((cells.get("SB_PLL40_CORE"), drivers), (Some(&1), Some(&5)), "{cells:?}");
+    }
+}
+
+block! {
+    /// A wire that this chip and others pull low.
+    struct Line;
+    in LineIn { low: bit(), sda: Outside::widths(1) }
+    out LineOut { is_low: bit() }
+}
+
+impl Line {
+    fn build(&self, m: Module, i: LineIn) -> LineOut {
+        def!(sda = m.instance(&Pad::new(1).pull_up(), PadIn::open_drain(i.low, i.sda)));
+        LineOut { is_low: !sda.line }
+    }
+}
+
+/// Both sides of a wire with a pull-up, by Verilog's own rules.
+const BENCH: &str = "module bench;
+    reg low, other;
+    wire sda, is_low;
+    pullup (sda);
+    assign sda = other ? 1'b0 : 1'bz;
+    line dut (.clk(1'b0), .rst(1'b0), .low(low), .sda(sda), .is_low(is_low));
+    initial begin
+        {low, other} = 2'b00; #1 $write(\"%b\", is_low);
+        {low, other} = 2'b01; #1 $write(\"%b\", is_low);
+        {low, other} = 2'b10; #1 $write(\"%b\", is_low);
+        {low, other} = 2'b11; #1 $write(\"%b\", is_low);
+    end
+endmodule
+";
+
+#[test]
+fn without_models_verilog_resolves_a_line() {
+    if tools::skipped_without(&["iverilog", "vvp"]).is_some() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let text: String = verilog(&elaborate(&Line).unwrap()).into_iter().map(|file| file.text).collect();
+    std::fs::write(folder.path().join("all.v"), text + BENCH).unwrap();
+    let run = |program: &str, arguments: &[&str]| {
+        let output = Command::new(program).args(arguments).current_dir(folder.path()).output().unwrap();
+        String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
+    };
+    assert_eq!(run("iverilog", &["-g2005", "-Wall", "-Wno-timescale", "-s", "bench", "-o", "bench.vvp", "all.v"]), "");
+    assert_eq!(run("vvp", &["-n", "bench.vvp"]), "0111");
 }

@@ -190,6 +190,12 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
         None
     }
 
+    /// Whether it is a [`Pad`](crate::Pad).
+    #[doc(hidden)]
+    fn is_pad(&self) -> bool {
+        false
+    }
+
     /// The place of the block's `block!` declaration, if it has one.
     #[doc(hidden)]
     fn declared(&self) -> Option<Loc> {

@@ -57,6 +57,8 @@ pub(crate) struct Draft {
     pub stand_ins: BTreeSet<NodeId>,
     /// The module of somebody else for which this one is a model.
     pub foreign: Option<Foreign>,
+    /// Whether it is a pad.
+    pub is_pad: bool,
     /// Where the description says that there is no model.
     pub unmodelled: Option<Loc>,
     /// What [`Module::within`](crate::Module::within) puts before the names that are declared now.
@@ -159,6 +161,7 @@ impl Draft {
             in_problems: BTreeSet::new(),
             stand_ins: BTreeSet::new(),
             foreign: None,
+            is_pad: false,
             unmodelled: None,
             prefix: String::new(),
             renamed: Vec::new(),

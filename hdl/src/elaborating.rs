@@ -195,7 +195,13 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, gated: Vec<Option<&'static s
     elaboration::with(|e| {
         e.drafts_begun += 1;
         let serial = e.drafts_begun;
-        e.drafts.push(Draft { declared: block.declared(), gated: gated.clone(), ..Draft::new(serial, name, loc) });
+        let declared = block.declared();
+        e.drafts.push(Draft {
+            declared,
+            is_pad: block.is_pad(),
+            gated: gated.clone(),
+            ..Draft::new(serial, name, loc)
+        });
         foreign::begin(e, block.foreign());
     });
     let (before, again) = elaboration::with(|e| (e.problems.len(), e.known.has(block)));

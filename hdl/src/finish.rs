@@ -49,6 +49,7 @@ pub(crate) fn finish(
     check::streams::check(&draft, &outputs, &summary, problems);
     // A problem reported here is not reported again for every parent.
     mixed.into_iter().for_each(|output| summary.outputs[output].hide_clocks());
+    summary.is_pad = draft.is_pad;
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     let ports = draft.inputs.iter().map(|input| input.node).chain(nodes);
     summary.faulty = ports.filter(|node| draft.stand_ins.contains(node)).collect();
@@ -177,6 +178,7 @@ fn module(
         instances,
         properties,
         foreign: draft.foreign,
+        is_pad: draft.is_pad,
         unmodelled: draft.unmodelled.is_some(),
     }
 }

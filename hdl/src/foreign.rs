@@ -37,7 +37,7 @@ impl Foreign {
     /// #     ShownOut { twice: adder.sum }
     /// # };
     /// let text = &tilewright_gen::verilog(&design)[1].text;
-    /// assert!(text.contains("DSP_ADD #(\n        .WIDTH (8),\n        .MODE  (\"FAST\")\n    ) u_adder ("));
+    /// assert!(text.contains(".WIDTH (8),\n        .MODE  (\"FAST\")\n    ) u_adder ("));
     /// assert!(text.contains(".SUM (twice)"));
     /// ```
     #[track_caller]
@@ -50,6 +50,7 @@ impl Foreign {
             ports: Vec::new(),
             clocks: Vec::new(),
             resets: Vec::new(),
+            makes: Vec::new(),
             loc: Loc::caller(),
         }
     }
@@ -189,6 +190,51 @@ impl Foreign {
     #[must_use]
     pub fn reset_of(mut self, clock: Clock, name: &str) -> Foreign {
         self.resets.push((Some(clock), name.to_owned()));
+        self
+    }
+
+    /// The module makes this clock at an output, as a PLL does. It is instantiated in the top of the design, which then
+    /// has no port for the clock. In simulation the clock has the period of its declaration, whatever the model does.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const VIDEO: Clock = Clock::new("video", Period::ps(39_722));
+    ///
+    /// block! {
+    ///     /// A PLL of an iCE40 that makes 25.175 MHz of 12 MHz.
+    ///     struct Pll;
+    ///     foreign = Foreign::module("SB_PLL40_CORE")
+    ///         .parameter("FEEDBACK_PATH", "SIMPLE")
+    ///         .parameter("DIVR", Bits::new(4, 0))
+    ///         .parameter("DIVF", Bits::new(7, 66))
+    ///         .parameter("DIVQ", Bits::new(3, 5))
+    ///         .parameter("FILTER_RANGE", Bits::new(3, 1))
+    ///         .clock("REFERENCECLK")
+    ///         .makes(VIDEO, "PLLOUTCORE")
+    ///         .capitals();
+    ///     in PllIn { resetb: bit(), bypass: bit() }
+    ///     out PllOut { lock: bit() }
+    /// }
+    ///
+    /// impl Pll {
+    ///     fn build(&self, m: Module, i: PllIn) -> PllOut {
+    ///         m.ignore(&i);
+    ///         PllOut { lock: lit(1, 1) }
+    ///     }
+    /// }
+    /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit().on(VIDEO) } out { count: bits(8) }
+    ///
+    /// def!(pll = m.instance(&Pll, PllIn { resetb: lit(1, 1), bypass: lit(1, 0) }));
+    /// # let _ = pll;
+    /// def!(count = m.on(VIDEO).reg(8).reset(0));
+    /// count.when(i.enable, count + 1);
+    /// #     ShownOut { count: *count }
+    /// # };
+    /// assert!(tilewright_gen::verilog(&design)[1].text.contains(".PLLOUTCORE   (video_clk),"));
+    /// ```
+    #[must_use]
+    pub fn makes(mut self, clock: Clock, name: &str) -> Foreign {
+        self.makes.push((clock, name.to_owned()));
         self
     }
 

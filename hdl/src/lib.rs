@@ -48,6 +48,7 @@
 //! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
 //! | an instance, an array of instances | [`def!`]`(adder = m.instance(..))`; [`Module::instance`], [`Module::array`] |
 //! | a module of somebody else: a PLL, a pin, a memory of the chip | `foreign = `[`Foreign::module`]`("SB_PLL40_CORE")..;` in [`block!`], whose `build` is a model of it, or [`Module::unmodelled`] |
+//! | a pin that is driven from both sides | [`Pad`] in the top, with [`Outside`] among the top's inputs |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | a property: an assertion, an assumption, a cover | [`Module::assert`], [`Module::assume`], [`Module::cover`], with [`implies`](Signal::implies), [`Module::past`], [`Module::rose`] |
 //!
@@ -105,6 +106,7 @@ mod module_name;
 mod moves;
 mod names;
 mod operand;
+mod pad;
 mod parts;
 mod past;
 mod problem;
@@ -170,6 +172,7 @@ pub use names::unraw;
 #[doc(hidden)]
 pub use operand::Value;
 pub use operand::{IntoSignal, Operand, ShiftAmount};
+pub use pad::{Outside, Pad, PadIn, PadOut};
 pub use problem::{Problem, Problems};
 pub use radix::{Radix, Written, binary, hex};
 #[doc(hidden)]

@@ -161,6 +161,10 @@ mistakes! {
     NoForeignModule = 513,
     /// A parameter of a foreign module has no value in Verilog.
     NoValue = 514,
+    /// A pad is not an instance of its own in the top.
+    PadElsewhere = 515,
+    /// The outside of a pad is not an input for it alone.
+    PadOutside = 516,
 
     /// Two shapes meet that differ.
     UnequalShapes = 601,
@@ -222,6 +226,8 @@ mistakes! {
     LongPeriod = 806,
     /// An output is declared on a clock.
     OutputOnClock = 807,
+    /// A clock is made elsewhere than once in the top.
+    MadeClock = 808,
     /// What is within `enabled` runs on another clock.
     EnabledElsewhere = 831,
     /// A clock runs in place of one with another period.

@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
+use crate::check::{foreign, pads};
 use crate::elaboration::Elaboration;
 use crate::mistake::Mistake;
 use crate::problem::Problem;
@@ -87,6 +88,11 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
                 .note(format!("`{}` is described", e.done[described].parameters), e.done[described].loc);
             problems.push(problem.help("give the block another name, by `name = ..` in `block!`"));
         }
+    }
+    // What is fed wrongly is not reported once more.
+    if problems.is_empty() && e.problems.is_empty() {
+        problems.extend(foreign::made_clocks(&e.done));
+        problems.extend(pads::check(&e.done));
     }
     problems.into_iter().for_each(|problem| e.report(problem));
 }

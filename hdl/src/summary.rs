@@ -3,7 +3,7 @@
 use crate::circuit::Circuit;
 use crate::draft::Draft;
 use crate::graph::{Edges, Sets, components};
-use crate::ir::{Module, NodeId, Op};
+use crate::ir::{InstanceId, Module, NodeId, Op};
 use std::collections::BTreeSet;
 
 /// For each output of a module, its dependencies that pass no register; and the synchronizers that its inputs feed.
@@ -13,6 +13,8 @@ pub(crate) struct Summary {
     pub synchronized: Vec<(u32, String)>,
     /// The input ports whose declaration is faulty, and the outputs that follow from a problem: both by their nodes.
     pub faulty: BTreeSet<NodeId>,
+    /// Whether it is a pad, whose line comes from outside.
+    pub is_pad: bool,
 }
 
 pub(crate) struct Dependence {
@@ -42,6 +44,7 @@ impl Summary {
             outputs: std::iter::repeat_with(nothing).take(outputs).collect(),
             synchronized: vec![],
             faulty: BTreeSet::new(),
+            is_pad: false,
         }
     }
 }
@@ -95,12 +98,18 @@ pub(crate) fn wired_inputs(draft: &Draft, summaries: &[Summary], id: NodeId) -> 
         match draft.node(id).op {
             Op::Input(index) => inputs.push(index),
             Op::QuasiStatic(..) => continue,
+            Op::Output(instance, _) if is_pad(draft, summaries, instance) => continue,
             _ if !is_wired(draft, summaries, id) => return None,
             _ => {}
         }
         operands(draft, summaries, id, &mut |id| behind.push(id));
     }
     Some(inputs)
+}
+
+/// Whether an instance is a pad. Its line comes from outside, and is trusted as an input is.
+fn is_pad(draft: &Draft, summaries: &[Summary], instance: InstanceId) -> bool {
+    summaries[draft.instances[instance.0 as usize].module.0 as usize].is_pad
 }
 
 /// Whether a node has no logic: a port, state, a constant, or wires with at most an inverter.
@@ -206,5 +215,10 @@ pub(crate) fn summarize(draft: &Draft, summaries: &[Summary], outputs: &[NodeId]
         clocks: clocks.members(output.0).filter_map(|clock| renumber[clock]).collect(),
         wired: wired[output.0 as usize],
     };
-    Summary { outputs: outputs.iter().map(dependence).collect(), synchronized: vec![], faulty: BTreeSet::new() }
+    Summary {
+        outputs: outputs.iter().map(dependence).collect(),
+        synchronized: vec![],
+        faulty: BTreeSet::new(),
+        is_pad: false,
+    }
 }

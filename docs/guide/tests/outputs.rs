@@ -2,7 +2,7 @@
 
 use tilewright_guide::blink::Blink;
 use tilewright_guide::book::{Fence, fences, stands_in};
-use tilewright_guide::button::Button;
+use tilewright_guide::button::{Button, Line};
 use tilewright_guide::grammar::{Everything, Free};
 use tilewright_guide::mistakes::{crossing::Crossing, stages::Stages, undriven::Undriven, widths::Widths};
 use tilewright_guide::nearer::Lesser;
@@ -17,6 +17,7 @@ fn printed(name: &str) -> String {
     match name {
         "blink.v" => verilog(&Blink { clocks: 6_000_000 }),
         "button.v" => verilog(&Button),
+        "line.v" => verilog(&Line),
         "bit_ticks.v" => verilog(&BitTicks { clocks_per_bit: 4 }),
         "range" => BitTicks { clocks_per_bit: 1 }.checked().unwrap_err().to_string(),
         "undriven" => problems(&Undriven),

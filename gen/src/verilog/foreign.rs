@@ -9,36 +9,44 @@ use tilewright_hdl::ir::{Foreign, Module, Parameter};
 /// With this macro, models stand for foreign modules.
 pub const MODELS: &str = "TILEWRIGHT_MODELS";
 
+/// The connections of an instance: those of both the module and its model, and those of the module alone.
+type Connections<'a> = (&'a [(String, String)], Vec<(String, String)>);
+
 /// An instance of `child`, with its place in the description. A foreign module and its model share the ports, but
-/// those that only the model has.
-pub fn instantiate(child: &Module, name: &str, connections: &[(String, String)], loc: Option<Loc>) -> Vec<String> {
+/// those that only one of them has.
+pub fn instantiate(child: &Module, name: &str, (connections, made): Connections, loc: Option<Loc>) -> Vec<String> {
     let placed = |line: String| loc.map_or(line.clone(), |loc| with_place(line, loc));
     let mut plain = connect(&child.name, name, connections).into_iter();
     let Some(foreign) = &child.foreign else {
         let first = plain.next().map(placed);
         return first.into_iter().chain(plain).collect();
     };
-    let head = head(foreign, name);
-    let foreign_head = head.into_iter().enumerate().map(|(i, line)| if i == 0 { placed(line) } else { line });
-    let mut out = vec![format!("`ifdef {MODELS}")];
+    let mut head = head(foreign, name);
+    head[0] = placed(std::mem::take(&mut head[0]));
     let own: Vec<&str> = own_ports(child, foreign);
     let (of_model, shared): (Vec<_>, Vec<_>) =
         connections.iter().cloned().partition(|(port, _)| own.contains(&port.as_str()));
+    // Those of one alone come first, so that each has a comma.
+    let count = of_model.len();
+    let all = connect(&child.name, name, &[of_model, made, shared.clone()].concat());
+    let end = all.len().saturating_sub(1 + shared.len()).max(1);
+    let (of_model, made) = all[1..end].split_at(count);
+    let mut out = vec![format!("`ifdef {MODELS}")];
     if shared.is_empty() {
         out.extend(plain);
         out.push("`else".to_string());
-        out.extend(foreign_head);
+        out.extend(head);
+        out.extend(made.iter().map(|line| line.trim_end_matches(',').to_string()));
         out.extend([");", "`endif"].map(str::to_string));
         return out;
     }
-    // Those of the model come first, so that each has a comma.
-    let all = connect(&child.name, name, &[of_model.clone(), shared].concat());
-    let (model_head, rest) = all.split_at(1 + of_model.len());
-    out.extend(model_head.iter().cloned());
+    out.push(all[0].clone());
+    out.extend(of_model.iter().cloned());
     out.push("`else".to_string());
-    out.extend(foreign_head);
+    out.extend(head);
+    out.extend(made.iter().cloned());
     out.push("`endif".to_string());
-    out.extend(rest.iter().cloned());
+    out.extend(all[end..].iter().cloned());
     out
 }
 

@@ -333,7 +333,7 @@ impl Printer<'_> {
         for (port, &output) in child.outputs.iter().zip(&instance.outputs) {
             connections.push((port.name.clone(), self.target(output)));
         }
-        instantiate(child, &self.lanes.groups[group].instances[&(id.0 as usize)], &connections, None)
+        instantiate(child, &self.lanes.groups[group].instances[&(id.0 as usize)], (&connections, Vec::new()), None)
     }
 
     /// Ties off the bits that no reader uses in some lane; these are known only after everything else is printed.

@@ -1,6 +1,7 @@
 //! Instances, with every port connected by name.
 
-use super::foreign::instantiate;
+use super::border::{made_clocks, port_of_pad};
+use super::foreign::{MODELS, instantiate};
 use super::layout::{range, with_place};
 use super::printer::Printer;
 use tilewright_hdl::ir::{Instance, Module};
@@ -36,7 +37,30 @@ impl Printer<'_> {
         for (port, &output) in child.outputs.iter().zip(&instance.outputs) {
             connections.push((port.name.clone(), self.name(output).to_string()));
         }
-        instantiate(child, &instance.name, &connections, Some(instance.loc))
+        let made = made_clocks(child, self.module).into_iter().map(|(clock, port)| (port.to_string(), clock)).collect();
+        match port_of_pad(child, self.module, instance) {
+            Some(port) => self.pad(child, instance, &port, &connections),
+            None => instantiate(child, &instance.name, (&connections, made), Some(instance.loc)),
+        }
+    }
+
+    /// An instance of a pad's model, or the `inout` port that it is.
+    fn pad(
+        &mut self,
+        child: &Module,
+        instance: &Instance,
+        port: &str,
+        connections: &[(String, String)],
+    ) -> Vec<String> {
+        let value = |name: &str| connections.iter().find(|(port, _)| port == name).map_or("", |(_, value)| value);
+        let released = format!("{}'bz", self.module.width(instance.outputs[0]));
+        let mut out = vec![format!("`ifdef {MODELS}")];
+        out.extend(instantiate(child, &instance.name, (connections, Vec::new()), Some(instance.loc)));
+        out.push("`else".to_string());
+        out.push(format!("assign {port} = {} ? {} : {released};", value("enable"), value("out")));
+        out.push(format!("assign {} = {port};", value("line")));
+        out.push("`endif".to_string());
+        out
     }
 
     /// The clocks and resets of an instance.

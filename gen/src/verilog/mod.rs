@@ -1,6 +1,7 @@
 //! The printer: a fold, a plan, names, and then the text of each part of a module.
 
 mod adopt;
+mod border;
 mod branches;
 mod constant;
 mod contents;

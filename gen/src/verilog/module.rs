@@ -25,6 +25,7 @@ pub fn print(printer: &mut Printer, described: &Module, latency: Option<&Latency
     let properties = printer.plain_properties();
     // They may be the only use of a code.
     let properties = printer.properties(&properties);
+    body.section(printer.border.declarations());
     body.section(printer.states.declarations());
     body.section(printer.register_declarations(false));
     body.section(memories);

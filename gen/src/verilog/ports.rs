@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::foreign::MODELS;
 use super::layout::{prose, range};
 use super::printer::Printer;
 
@@ -20,35 +21,87 @@ struct Port<'a> {
 
 /// The module's head: `module NAME (..);`.
 pub fn print(printer: &Printer) -> String {
-    let module = printer.module;
-    let ports = ports(printer);
-    let range_width = ports.iter().map(|port| range(port.width).len()).max().unwrap_or(0);
-    let declare = |port: &Port| format!("    {} {:range_width$}{}", port.direction, range(port.width), port.name);
-    let longest = ports.iter().map(|port| declare(port).len() + 1).max().unwrap_or(0);
-    let mut said = BTreeSet::new();
-    let mut out = format!("module {} (\n", module.name);
-    for (index, port) in ports.iter().enumerate() {
-        let comma = if index + 1 < ports.len() { "," } else { "" };
-        let mut line = format!("{}{comma}", declare(port));
-        let ends = port.path.match_indices('.').map(|(at, _)| at).chain([port.path.len()]);
-        for end in ends {
-            let key = without_numbers(&port.path[..end]);
-            let Some(words) = port.about.get(&key).filter(|_| said.insert((port.direction.starts_with("input"), key)))
-            else {
-                continue;
-            };
-            let above = prose(words, COLUMNS - "    // ".len());
-            match &above[..] {
-                [words] if end == port.path.len() && longest + words.len() + 4 <= COLUMNS => {
-                    line = format!("{line:longest$} // {words}");
-                }
-                lines => lines.iter().for_each(|words| out.push_str(&format!("    // {words}\n"))),
-            }
+    let border = &printer.border;
+    let (of_models, shared): (Vec<Port>, Vec<Port>) =
+        ports(printer).into_iter().partition(|port| border.model_only.contains(port.name));
+    let about = &printer.module.about.inputs;
+    let inouts: Vec<Port> = border.inouts.iter().map(|(name, width)| inout(name, *width, about)).collect();
+    let mut text = Text::of([&of_models, &inouts, &shared]);
+    let more = !shared.is_empty();
+    if !of_models.is_empty() {
+        text.line(format!("`ifdef {MODELS}"));
+        text.ports(&of_models, more);
+        if !inouts.is_empty() {
+            text.line("`else".to_string());
+            text.ports(&inouts, more);
         }
-        out.push_str(&line);
-        out.push('\n');
+        text.line("`endif".to_string());
     }
-    out + ");\n"
+    text.ports(&shared, false);
+    format!("module {} (\n{});\n", printer.module.name, text.text)
+}
+
+/// The lines of ports.
+struct Text<'a> {
+    text: String,
+    /// The width of the longest range.
+    range: usize,
+    /// The columns of the longest declaration.
+    longest: usize,
+    /// The documentation that has been printed.
+    said: BTreeSet<(&'a str, String)>,
+}
+
+impl<'a> Text<'a> {
+    fn of(all: [&[Port<'a>]; 3]) -> Text<'a> {
+        let range = all.into_iter().flatten().map(|port| range(port.width).len()).max().unwrap_or(0);
+        let mut text = Text { text: String::new(), range, longest: 0, said: BTreeSet::new() };
+        text.longest = all.into_iter().flatten().map(|port| text.declare(port).len() + 1).max().unwrap_or(0);
+        text
+    }
+
+    fn line(&mut self, line: String) {
+        self.text.push_str(&line);
+        self.text.push('\n');
+    }
+
+    fn declare(&self, port: &Port) -> String {
+        let range_width = self.range;
+        format!("    {} {:range_width$}{}", port.direction, range(port.width), port.name)
+    }
+
+    /// The ports with their documentation, and whether more follow.
+    fn ports(&mut self, ports: &[Port<'a>], more: bool) {
+        for (index, port) in ports.iter().enumerate() {
+            let comma = if more || index + 1 < ports.len() { "," } else { "" };
+            let mut line = format!("{}{comma}", self.declare(port));
+            let ends = port.path.match_indices('.').map(|(at, _)| at).chain([port.path.len()]);
+            for end in ends {
+                let key = without_numbers(&port.path[..end]);
+                let words = port.about.get(&key);
+                let Some(words) = words.filter(|_| self.said.insert((port.kind(), key))) else { continue };
+                let above = prose(words, COLUMNS - "    // ".len());
+                match &above[..] {
+                    [words] if end == port.path.len() && self.longest + words.len() + 4 <= COLUMNS => {
+                        line = format!("{line:width$} // {words}", width = self.longest);
+                    }
+                    lines => lines.iter().for_each(|words| self.text.push_str(&format!("    // {words}\n"))),
+                }
+            }
+            self.line(line);
+        }
+    }
+}
+
+impl Port<'_> {
+    /// Input, output or inout: each kind has documentation of its own.
+    fn kind(&self) -> &'static str {
+        ["input", "inout"].into_iter().find(|kind| self.direction.starts_with(kind)).unwrap_or("output")
+    }
+}
+
+fn inout<'a>(name: &'a str, width: u32, about: &'a BTreeMap<String, String>) -> Port<'a> {
+    Port { direction: "inout  wire".to_string(), width, name, path: name, about }
 }
 
 fn ports<'a>(printer: &'a Printer) -> Vec<Port<'a>> {

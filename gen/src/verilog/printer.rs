@@ -1,5 +1,6 @@
 //! A folded module during printing: what is known of it beforehand, and what its text has read so far.
 
+use super::border::Border;
 use super::fold::Folded;
 use super::groups::Groups;
 use super::lane_names::{GroupNames, port_values};
@@ -40,6 +41,7 @@ pub struct Printer<'a> {
     /// The lane at which the current text is printed, by axis.
     pub at: Vec<Index>,
     pub usage: Usage,
+    pub border: Border,
 }
 
 impl<'a> Printer<'a> {
@@ -77,6 +79,7 @@ impl<'a> Printer<'a> {
             here,
             at,
             usage,
+            border: Border::of(design, module),
         }
     }
 

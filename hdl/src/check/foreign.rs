@@ -3,7 +3,7 @@
 use crate::attribute;
 use crate::draft::Draft;
 use crate::elaboration::Elaboration;
-use crate::ir::{ClockId, Foreign, Module, NodeId, Op, Parameter};
+use crate::ir::{ClockId, Foreign, Instance, Module, NodeId, Op, Parameter};
 use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::names::{is_legal, is_reserved};
@@ -18,6 +18,7 @@ pub(crate) fn begin(e: &mut Elaboration, foreign: Option<Foreign>) {
         clock.iter().for_each(|clock| e.meet_clock(*clock, foreign.loc));
         e.draft().use_clock(*clock);
     }
+    foreign.makes.iter().for_each(|(clock, _)| e.meet_clock(*clock, foreign.loc));
     e.draft().foreign = Some(foreign);
 }
 
@@ -37,6 +38,7 @@ fn names(foreign: &Foreign, problems: &mut Vec<Problem>) {
             problems.push(Problem::new(Mistake::NoValue, loc, message).help("give it a finite number"));
         }
     }
+    foreign.makes.iter().for_each(|(_, port)| problems.extend(illegal("clock", port, loc)));
     for (i, attribute) in foreign.attributes.iter().enumerate() {
         let before = &foreign.attributes[..i];
         problems.extend(attribute::wrong(before, &attribute.name, &attribute.value, loc));
@@ -65,6 +67,32 @@ pub(crate) fn check(draft: &Draft, done: &[Module], outputs: &[(String, NodeId)]
         }
         (None, None) => {}
     }
+}
+
+/// A clock that a foreign module makes is made by one instance, in the top.
+pub(crate) fn made_clocks(done: &[Module]) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    let mut made: BTreeMap<&str, &Instance> = BTreeMap::new();
+    for (i, module) in done.iter().enumerate() {
+        for instance in &module.instances {
+            let foreign = done[instance.module.0 as usize].foreign.as_ref();
+            for (clock, _) in foreign.iter().flat_map(|foreign| &foreign.makes) {
+                let (clock, name) = (clock.name, &instance.name);
+                let what = format!("`{name}` makes the clock `{clock}`");
+                let (message, help) = if i + 1 < done.len() {
+                    (format!("{what} in `{}`, which is not the top", module.name), "instantiate it in the top")
+                } else if !instance.shape.is_plain() {
+                    (format!("{what} in {} lanes", instance.shape.lanes()), "one instance makes a clock")
+                } else if let Some(first) = made.insert(clock, instance) {
+                    (format!("{what}, which `{}` makes", first.name), "one instance makes a clock")
+                } else {
+                    continue;
+                };
+                problems.push(Problem::new(Mistake::MadeClock, instance.loc, message).help(help));
+            }
+        }
+    }
+    problems
 }
 
 fn ports(draft: &Draft, foreign: &Foreign, outputs: &[(String, NodeId)], problems: &mut Vec<Problem>) {

@@ -9,6 +9,7 @@ pub(crate) mod loops;
 pub(crate) mod naming;
 mod numbering;
 pub(crate) mod outputs;
+pub(crate) mod pads;
 pub(crate) mod stages;
 pub(crate) mod streams;
 pub(crate) mod synchronizers;

@@ -41,6 +41,8 @@ pub struct Foreign {
     pub clocks: Vec<(Option<Clock>, String)>,
     /// The ports for the resets of clocks.
     pub resets: Vec<(Option<Clock>, String)>,
+    /// The clocks that it makes, and its ports for them.
+    pub makes: Vec<(Clock, String)>,
     /// The place in the description.
     pub loc: Loc,
 }

@@ -87,6 +87,8 @@ pub struct Module {
     pub foreign: Option<Foreign>,
     /// Whether that model is missing, and the outputs are zeros in its place.
     pub unmodelled: bool,
+    /// Whether it is a [`Pad`](crate::Pad): a model of an `inout` port of the top.
+    pub is_pad: bool,
 }
 
 /// A block's description in words, carried into the Verilog header and the documentation.

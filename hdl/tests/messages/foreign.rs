@@ -1,4 +1,4 @@
-//! Foreign modules: what their descriptions and their models may disagree about.
+//! Foreign modules, the clocks that they make, and pads.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -139,4 +139,117 @@ fn only_a_foreign_module_is_without_a_circuit() {
          --> [|m, i| m.unmodelled(&i, bits(8)),]
          help: name the module in `block!`, as in `foreign = Foreign::module(\"EHXPLLL\");`, or describe a circuit",
     );
+}
+
+block! {
+    /// Makes a clock of another.
+    struct Pll;
+    foreign = Foreign::module("PLL").clock("CKI").makes(FAST, "CKO").capitals();
+    out PllOut { lock: bit() }
+}
+
+impl Pll {
+    fn build(&self, _: Module, (): ()) -> PllOut {
+        PllOut { lock: lit(1, 1) }
+    }
+}
+
+block! {
+    /// Has the clock made inside.
+    struct Tuner;
+    out TunerOut { lock: bit() }
+}
+
+impl Tuner {
+    fn build(&self, m: Module, (): ()) -> TunerOut {
+        TunerOut { lock: m.instance("u_pll", &Pll, ()).lock }
+    }
+}
+
+#[test]
+fn a_clock_is_made_once_and_in_the_top() {
+    assert!(elaborate(&Tuner).is_ok());
+    expect(
+        |m, _| m.instance("u_tuner", &Tuner, ()).lock,
+        "`u_pll` makes the clock `fast` in `tuner`, which is not the top [T808]
+         --> [TunerOut { lock: m.instance(\"u_pll\", &Pll, ()).lock }]
+         help: instantiate it in the top",
+    );
+    let twice = problems(&Case(|m, _| m.instance("u_one", &Pll, ()).lock & m.instance("u_two", &Pll, ()).lock));
+    assert!(twice.starts_with("`u_two` makes the clock `fast`, which `u_one` makes [T808]"), "{twice}");
+    let lanes = problems(&Case(|m, _| m.array("u_pll", 3, &Pll, |_| ()).lock.and_all()));
+    assert!(lanes.starts_with("`u_pll` makes the clock `fast` in 3 lanes [T808]"), "{lanes}");
+}
+
+block! {
+    /// Has a pad, and is told how to be wrong.
+    struct Wired { wrong: u32 }
+    in WiredIn { sda: Outside::widths(1), table: Outside::widths(1), low: bit() }
+    out WiredOut { line: bit(), other: bit() }
+}
+
+impl Wired {
+    fn build(&self, m: Module, i: WiredIn) -> WiredOut {
+        m.ignore(&i);
+        let outside = match self.wrong {
+            1 => Outside { value: i.sda.value, drives: i.low },
+            2 => Outside { value: !i.sda.value, ..i.sda },
+            3 => i.table,
+            _ => i.sda,
+        };
+        let pad = m.instance("u_sda", &Pad::new(1).pull_up(), PadIn::open_drain(i.low, outside));
+        let other = match self.wrong {
+            4 => i.sda.value,
+            5 => (!i.low).named("sda"),
+            _ => i.low,
+        };
+        WiredOut { line: pad.line, other }
+    }
+}
+
+block! {
+    /// Has pads below its top.
+    struct Board;
+    in BoardIn { sda: Outside::widths(1), table: Outside::widths(1), low: bit() }
+    out BoardOut { line: bit() }
+}
+
+impl Board {
+    fn build(&self, m: Module, i: BoardIn) -> BoardOut {
+        let inner = WiredIn { sda: i.sda, table: i.table, low: i.low };
+        BoardOut { line: m.instance("u_wired", &Wired { wrong: 0 }, inner).line }
+    }
+}
+
+block! {
+    /// Has pads in lanes.
+    struct Row;
+    in RowIn { sda: Outside { value: bit().of(row(2)), drives: bit().of(row(2)) } }
+    out RowOut { line: bit().of(row(2)) }
+}
+
+impl Row {
+    fn build(&self, m: Module, i: RowIn) -> RowOut {
+        let into = PadIn { out: lit(1, 0), enable: lit(1, 0), outside: i.sda };
+        RowOut { line: m.array("u_pads", 2, &Pad::new(1), |_| into).line }
+    }
+}
+
+#[test]
+fn pads_are_ports_of_the_top() {
+    assert!(elaborate(&Wired { wrong: 0 }).is_ok());
+    let help = "declare the input, as in `sda: Outside::widths(1)`, give it to one pad, and read the pad's `line`";
+    let message = "the outside of pad `u_sda` is not an input of `wired_wrong1` that is used for it alone [T516]";
+    for wrong in [1, 2, 4] {
+        let found = problems(&Wired { wrong }).replace(&format!("wrong{wrong}"), "wrong1");
+        assert!(found.starts_with(message) && found.ends_with(help), "{found}");
+    }
+    let table = problems(&Wired { wrong: 3 });
+    assert!(table.starts_with("pad `table` has a reserved word for a name [T402]"), "{table}");
+    let taken = problems(&Wired { wrong: 5 });
+    assert!(taken.starts_with("pad `sda` has the name of a net [T401]"), "{taken}");
+    let below = problems(&Board);
+    assert!(below.starts_with("pad `u_sda` is in `wired_wrong0`, which is not the top [T515]"), "{below}");
+    let lanes = problems(&Row);
+    assert!(lanes.starts_with("pad `u_pads` is an array of 2 lanes [T515]"), "{lanes}");
 }

@@ -33,6 +33,7 @@ impl Build {
             properties: vec![],
             foreign: None,
             unmodelled: false,
+            is_pad: false,
         };
         Build { module }
     }

@@ -1,6 +1,7 @@
 //! The simulator and other simulators on the printed Verilog.
 
 mod blocks;
+mod border;
 mod campaign;
 mod matrix;
 mod pitfalls;

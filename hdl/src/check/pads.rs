@@ -1,0 +1,97 @@
+//! Pads are in the top, and each has its outside among the top's inputs.
+
+use crate::ir::{Instance, Module, NodeId, Op};
+use crate::mistake::Mistake;
+use crate::module::port_name;
+use crate::names::{is_reserved, is_reserved_in_cpp};
+use crate::problem::Problem;
+
+/// Reports pads that cannot become ports. The top is the last module.
+pub(crate) fn check(done: &[Module]) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    for (i, module) in done.iter().enumerate() {
+        let is_pad = |instance: &&Instance| done[instance.module.0 as usize].is_pad;
+        for pad in module.instances.iter().filter(is_pad) {
+            problems.extend(wrong(module, pad, i + 1 == done.len()));
+        }
+    }
+    problems
+}
+
+fn wrong(module: &Module, pad: &Instance, is_top: bool) -> Option<Problem> {
+    let name = &pad.name;
+    if !is_top || !pad.shape.is_plain() {
+        let (message, help) = match is_top {
+            false => {
+                let message = format!("pad `{name}` is in `{}`, which is not the top", module.name);
+                (message, "instantiate it in the top, and connect the block by ports `out`, `enable` and `line`")
+            }
+            true => {
+                let message = format!("pad `{name}` is an array of {}", pad.shape);
+                (message, "a pad may have several bits, `Pad::new(16)`; pads of their own are instances of their own")
+            }
+        };
+        return Some(Problem::new(Mistake::PadElsewhere, pad.loc, message).help(help));
+    }
+    let Some(port) = module.pad_port(pad) else {
+        let message =
+            format!("the outside of pad `{name}` is not an input of `{}` that is used for it alone", module.name);
+        let help = "declare the input, as in `sda: Outside::widths(1)`, give it to one pad, and read the pad's `line`";
+        return Some(Problem::new(Mistake::PadOutside, pad.loc, message).help(help));
+    };
+    if is_reserved(&port) || is_reserved_in_cpp(&port) {
+        let message = format!("pad `{port}` has a reserved word for a name");
+        let problem = Problem::new(Mistake::ReservedName, pad.loc, message);
+        return Some(problem.help(format!("call its input `{port}_` or something else")));
+    }
+    let (kind, loc) = named(module, &port)?;
+    let message = format!("pad `{port}` has the name of {kind}");
+    let problem = Problem::new(Mistake::TakenName, pad.loc, message).note(format!("`{port}` is declared"), loc);
+    Some(problem.help("the outside of a pad gives its name to a port of the chip: rename one of them"))
+}
+
+/// What else has the name of a pad's port.
+fn named(module: &Module, port: &str) -> Option<(&'static str, crate::loc::Loc)> {
+    let output = module.outputs.iter().find(|output| output.name == port);
+    let output = output.map(|output| ("an output", module.node(output.node).loc));
+    let net = module.nodes.iter().find(|node| node.name.as_deref() == Some(port));
+    let net = || net.map(|node| ("a net", node.loc));
+    let memory = || module.memories.iter().find(|memory| memory.name == port).map(|memory| ("a memory", memory.loc));
+    let instance = || module.instances.iter().find(|it| it.name == port).map(|it| ("an instance", it.loc));
+    output.or_else(net).or_else(memory).or_else(instance)
+}
+
+impl Module {
+    /// The name of the `inout` port of a pad: that of the two inputs for its outside, which only the pad reads.
+    #[doc(hidden)]
+    pub fn pad_port(&self, pad: &Instance) -> Option<String> {
+        let [.., value, drives] = pad.inputs[..] else { return None };
+        let path = |node: NodeId| match self.node(node).op {
+            Op::Input(index) if self.uses(node) == 1 => Some(self.inputs[index as usize].path.as_str()),
+            _ => None,
+        };
+        let name = path(value)?.strip_suffix(".value")?;
+        (path(drives)?.strip_suffix(".drives")? == name).then(|| port_name("", name))
+    }
+
+    /// How often a node is read.
+    fn uses(&self, node: NodeId) -> usize {
+        let mut count = 0;
+        let mut read = |of: NodeId| count += usize::from(of == node);
+        self.nodes.iter().for_each(|it| it.op.for_each_operand(&mut read));
+        self.outputs.iter().for_each(|output| read(output.node));
+        self.properties.iter().for_each(|property| read(property.condition));
+        self.registers
+            .iter()
+            .for_each(|register| register.enable.into_iter().chain([register.next]).for_each(&mut read));
+        for memory in &self.memories {
+            memory.reads.iter().for_each(|port| port.enable.into_iter().chain([port.address]).for_each(&mut read));
+            memory
+                .writes
+                .iter()
+                .for_each(|port| [port.enable, port.address, port.data].into_iter().for_each(&mut read));
+        }
+        self.instances.iter().for_each(|instance| instance.inputs.iter().copied().for_each(&mut read));
+        count
+    }
+}
