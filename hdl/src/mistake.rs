@@ -232,6 +232,8 @@ mistakes! {
     EnabledElsewhere = 831,
     /// A clock runs in place of one with another period.
     OtherPeriod = 832,
+    /// A foreign module runs in an enabled part.
+    EnabledForeign = 833,
 
     /// Two covers have one name.
     SecondCover = 901,

@@ -58,6 +58,12 @@ pub(crate) fn check(draft: &Draft, done: &[Module], outputs: &[(String, NodeId)]
         (Some(foreign), _) => {
             ports(draft, foreign, outputs, problems);
             clocks(draft, done, foreign, outputs, problems);
+            if !draft.enables.is_empty() {
+                let message = format!("`{}` is in an enabled part, but is a module of somebody else", foreign.module);
+                let help =
+                    "it has no input for that enable: instantiate it outside, and enable it by a port of its own";
+                problems.push(Problem::new(Mistake::EnabledForeign, draft.loc, message).help(help));
+            }
         }
         (None, Some(loc)) => {
             let message = format!("`{}` is described as unmodelled, but is no foreign module", draft.block);

@@ -63,6 +63,19 @@ fn state_of_a_model_needs_the_ports_of_its_clock() {
 }
 
 #[test]
+fn nothing_stops_the_clock_of_a_foreign_module() {
+    expect(
+        |m, i| {
+            let foreign = || Foreign::module("DFF").clock("C").reset("R");
+            m.enabled(i.c, || m.instance("u_dff", &FlipFlop { on: None, foreign }, Link { x: i.a }).out)
+        },
+        "`DFF` is in an enabled part, but is a module of somebody else [T833]
+         --> [m.enabled(i.c, || m.instance(\"u_dff\", &FlipFlop { on: None, foreign }, Link { x: i.a }).out)]
+         help: it has no input for that enable: instantiate it outside, and enable it by a port of its own",
+    );
+}
+
+#[test]
 fn names_that_verilog_does_not_take() {
     let right = || Foreign::module("DFF").clock("C").reset("R");
     assert!(elaborate(&FlipFlop { on: None, foreign: right }).is_ok());
