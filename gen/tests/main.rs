@@ -14,5 +14,6 @@ mod long;
 mod names;
 mod properties;
 mod replay;
+mod resets;
 mod shapes;
 mod simplified;

@@ -1,5 +1,6 @@
-//! Clocks: a name and an exact period.
+//! Clocks: a name, an exact period and a kind of reset.
 
+use crate::reset::Reset;
 use std::fmt;
 
 /// A clock period in picoseconds.
@@ -99,12 +100,26 @@ impl fmt::Display for Period {
 /// assert_eq!(design.top().clocks[0].period, Some(Period::ns(40)));
 /// # Ok::<(), Problems>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Clock {
-    /// The name; the Verilog ports are `NAME_clk` and `NAME_rst`.
+    /// The name; the Verilog ports are `NAME_clk` and `NAME_rst`, or `NAME_rst_n` for a reset that is active low.
     pub name: &'static str,
     /// The exact period.
     pub period: Period,
+    /// How it resets its registers.
+    pub reset: Reset,
+}
+
+/// The reset is shown unless it is the usual one: the text is a part of modules' names and headers.
+impl fmt::Debug for Clock {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let mut text = f.debug_struct("Clock");
+        text.field("name", &self.name).field("period", &self.period);
+        if self.reset != Reset::default() {
+            text.field("reset", &self.reset);
+        }
+        text.finish()
+    }
 }
 
 /// The clock's name: a testbench accepts a clock or its name.
@@ -115,7 +130,7 @@ impl AsRef<str> for Clock {
 }
 
 impl Clock {
-    /// A clock with this name and period.
+    /// A clock with this name and period. Its reset is synchronous and active high.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -123,6 +138,96 @@ impl Clock {
     /// assert_eq!(VIDEO.as_ref(), "video");
     /// ```
     pub const fn new(name: &'static str, period: Period) -> Clock {
-        Clock { name, period }
+        Clock { name, period, reset: Reset::Synchronous }
+    }
+
+    /// The same clock with another kind of reset.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(40)).reset(Reset::AsynchronousLow);
+    ///
+    /// # block! {
+    /// #     struct Column;
+    /// #     out ColumnOut { x: bits(10) }
+    /// # }
+    /// # impl Column {
+    /// #     fn build(&self, m: Module, _: ()) -> ColumnOut {
+    /// def!(x = m.on(VIDEO).reg(10).reset(0));
+    /// x.next(x + 1);
+    /// #         ColumnOut { x: *x }
+    /// #     }
+    /// # }
+    /// # let text = &tilewright_gen::verilog(&elaborate(&Column)?)[0].text;
+    /// assert!(text.contains("always @(posedge video_clk or negedge video_rst_n) begin"));
+    /// assert!(text.contains("if (!video_rst_n) x <= 10'd0;"));
+    /// # Ok::<(), Problems>(())
+    /// ```
+    pub const fn reset(self, reset: Reset) -> Clock {
+        Clock { reset, ..self }
+    }
+}
+
+/// The clock of a top that names none: its period and its kind of reset. Where one is wanted, a [`Period`] will do.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # block! {
+/// #     struct Toggle;
+/// #     out ToggleOut { high: bit() }
+/// # }
+/// # impl Toggle {
+/// #     fn build(&self, m: Module, _: ()) -> ToggleOut {
+/// #         def!(high = m.reg(1).reset(0));
+/// #         high.next(!high);
+/// #         ToggleOut { high: *high }
+/// #     }
+/// # }
+/// let board = DefaultClock::new(Period::ns(20)).reset(Reset::SynchronousLow);
+/// let design = elaborate_at(&Toggle, board)?;
+/// assert_eq!(design.top().clocks[0].reset.as_deref(), Some("rst_n"));
+/// # Ok::<(), Problems>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct DefaultClock {
+    /// The exact period.
+    pub period: Period,
+    /// How it resets its registers.
+    pub reset: Reset,
+}
+
+impl DefaultClock {
+    /// A clock with this period. Its reset is synchronous and active high.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(DefaultClock::new(Period::ns(20)), Period::ns(20).into());
+    /// ```
+    pub const fn new(period: Period) -> DefaultClock {
+        DefaultClock { period, reset: Reset::Synchronous }
+    }
+
+    /// The same clock with another kind of reset.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const BOARD: DefaultClock = DefaultClock::new(Period::ns(20)).reset(Reset::PowerOn);
+    /// assert_eq!(BOARD.period, Period::ns(20));
+    /// ```
+    pub const fn reset(self, reset: Reset) -> DefaultClock {
+        DefaultClock { reset, ..self }
+    }
+}
+
+impl From<Period> for DefaultClock {
+    fn from(period: Period) -> DefaultClock {
+        DefaultClock::new(period)
+    }
+}
+
+/// A named clock's period and reset.
+impl From<Clock> for DefaultClock {
+    fn from(Clock { period, reset, .. }: Clock) -> DefaultClock {
+        DefaultClock { period, reset }
     }
 }

@@ -7,6 +7,7 @@ use crate::in_place_of::{OwnPeriod, Renamed};
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::module::port_name;
+use crate::reset::Reset;
 use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -20,6 +21,8 @@ pub(crate) struct Draft {
     /// The place of the block's declaration, if known.
     pub declared: Option<Loc>,
     pub loc: Loc,
+    /// How the default clock resets.
+    pub reset: Reset,
     /// The clocks used so far; the first is the default clock, `None`.
     pub clocks: Vec<Option<Clock>>,
     pub clock_used: Vec<bool>,
@@ -132,12 +135,13 @@ pub(crate) struct Synchronizer {
 pub(crate) const UNDRIVEN: NodeId = NodeId(u32::MAX);
 
 impl Draft {
-    pub fn new(serial: u32, block: &'static str, loc: Loc) -> Draft {
+    pub fn new(serial: u32, block: &'static str, reset: Reset, loc: Loc) -> Draft {
         Draft {
             serial,
             block,
             declared: None,
             loc,
+            reset,
             clocks: vec![None],
             clock_used: vec![false],
             inputs: Vec::new(),
@@ -184,10 +188,12 @@ impl Draft {
         given.map_or_else(|| clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name)), str::to_owned)
     }
 
-    /// The name of the port of a clock's reset.
-    pub fn reset_port(&self, clock: Option<Clock>) -> String {
+    /// The name of the port of a clock's reset; `None` if it has none.
+    pub fn reset_port(&self, id: ClockId) -> Option<String> {
+        let clock = self.clocks[id.0 as usize];
+        let port = self.reset_of(id).port(clock.map(|clock| clock.name))?;
         let given = self.foreign.as_ref().and_then(|foreign| foreign.reset_port(clock));
-        given.map_or_else(|| clock.map_or("rst".to_owned(), |clock| format!("{}_rst", clock.name)), str::to_owned)
+        Some(given.map_or(port, str::to_owned))
     }
 
     /// The name with the prefix of the part that is being described.
@@ -260,6 +266,11 @@ impl Draft {
         let id = self.clock(clock);
         self.clock_used[id.0 as usize] = true;
         id
+    }
+
+    /// How a clock resets.
+    pub fn reset_of(&self, id: ClockId) -> Reset {
+        self.clocks[id.0 as usize].map_or(self.reset, |clock| clock.reset)
     }
 
     /// Whether one of the nodes is a stand-in or is computed from one.

@@ -3,7 +3,7 @@
 use crate::block::Block;
 use crate::bundle::Bundle;
 use crate::check::{self, foreign};
-use crate::clock::Period;
+use crate::clock::{DefaultClock, Period};
 use crate::draft::Draft;
 use crate::elaboration;
 use crate::enabled;
@@ -17,6 +17,7 @@ use crate::mistake::Mistake;
 use crate::module::{Module, declare, port_name};
 use crate::names;
 use crate::problem::{Problem, Problems};
+use crate::reset::Reset;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
 use crate::stream::{Origin, backwards, leave, untaken};
@@ -60,7 +61,7 @@ pub fn elaborate<B: Block>(block: &B) -> Result<Design, Problems> {
     elaborate_at(block, DEFAULT_PERIOD)
 }
 
-/// Like [`elaborate`], with another period of the default clock.
+/// Like [`elaborate`], with another period of the default clock, or with another [`DefaultClock`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -80,8 +81,8 @@ pub fn elaborate<B: Block>(block: &B) -> Result<Design, Problems> {
 /// # Ok::<(), Problems>(())
 /// ```
 #[track_caller]
-pub fn elaborate_at<B: Block>(block: &B, period: Period) -> Result<Design, Problems> {
-    elaborate_typed(block, period).map(|(design, ..)| design)
+pub fn elaborate_at<B: Block>(block: &B, clock: impl Into<DefaultClock>) -> Result<Design, Problems> {
+    elaborate_typed(block, clock).map(|(design, ..)| design)
 }
 
 /// The elaborated circuit, and the port numbers as bundles: the design's inputs count from 0, its outputs follow.
@@ -125,15 +126,15 @@ pub type Typed<B> = (Design, <<B as Block>::In as Bundle>::Of<usize>, <<B as Blo
 /// # Ok::<(), Problems>(())
 /// ```
 #[track_caller]
-pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, Problems> {
-    let loc = Loc::caller();
+pub fn elaborate_typed<B: Block>(block: &B, clock: impl Into<DefaultClock>) -> Result<Typed<B>, Problems> {
+    let (loc, DefaultClock { period, reset }) = (Loc::caller(), clock.into());
     let mut ports = None;
-    let ended = elaboration::run(|| {
+    let ended = elaboration::run(reset, || {
         elaboration::with(|e| check_period(e, "the default clock", period, loc));
-        let child = elaborate_module(block, Vec::new(), loc);
+        let child = elaborate_module(block, Vec::new(), reset, loc);
         ports = Some(port_numbers(block, &child));
         elaboration::with(|e| {
-            in_place_of::check_default(e, period);
+            in_place_of::check_default(e, DefaultClock { period, reset });
             names::check_module_names(e);
         });
     })?;
@@ -178,10 +179,15 @@ impl Elaborated {
     }
 }
 
-/// The module of `block` whose instance is in an enabled part on these clocks: the existing one for the same type and
-/// parameters, or a new one.
-pub(crate) fn elaborate_module<B: Block>(block: &B, gated: Vec<Option<&'static str>>, loc: Loc) -> Elaborated {
-    if let Some(known) = known(block, &gated) {
+/// The module of `block` on a clock with this reset, whose instance is in an enabled part on these clocks: the existing
+/// one for the same type and parameters, or a new one.
+pub(crate) fn elaborate_module<B: Block>(
+    block: &B,
+    gated: Vec<Option<&'static str>>,
+    reset: Reset,
+    loc: Loc,
+) -> Elaborated {
+    if let Some(known) = known(block, &gated, reset) {
         return known;
     }
     if let Err(problem) = block.check() {
@@ -200,7 +206,7 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, gated: Vec<Option<&'static s
             declared,
             is_pad: block.is_pad(),
             gated: gated.clone(),
-            ..Draft::new(serial, name, loc)
+            ..Draft::new(serial, name, reset, loc)
         });
         foreign::begin(e, block.foreign());
     });
@@ -208,21 +214,22 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, gated: Vec<Option<&'static s
     let (out, outputs) = describe(block, loc);
     let used = elaboration::with(|e| enabled::declare_inputs(e, &outputs));
     // Where nothing runs on a clock, its enable makes no other module.
-    let elaborated = known(block, &used).inspect(|_| elaboration::with(|e| drop(e.drafts.pop())));
+    let elaborated = known(block, &used, reset).inspect(|_| elaboration::with(|e| drop(e.drafts.pop())));
     let elaborated = elaborated.unwrap_or_else(|| {
         elaboration::with(|e| {
             let (mut about, name) = (block.about(), enabled::module_name(block.name(), &used));
             enabled::document(e.draft(), &mut about);
             finish::finish(e, outputs, name, about, parameters);
             let id = ModuleId(e.done.len() as u32 - 1);
-            e.known.insert(block.clone(), used, id);
             let outputs: Rc<dyn Any> = Rc::new(out);
             e.shapes.push(outputs.clone());
             Elaborated { id, outputs }
         })
     });
     elaboration::with(|e| {
-        e.known.insert(block.clone(), gated, elaborated.id);
+        let reset = e.depends_on_reset[elaborated.id.0 as usize].then_some(reset);
+        e.known.insert(block.clone(), used, reset, elaborated.id);
+        e.known.insert(block.clone(), gated, reset, elaborated.id);
         if again {
             e.forget_repeated(before);
         }
@@ -230,9 +237,9 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, gated: Vec<Option<&'static s
     elaborated
 }
 
-fn known<B: Block>(block: &B, gated: &[Option<&'static str>]) -> Option<Elaborated> {
+fn known<B: Block>(block: &B, gated: &[Option<&'static str>], reset: Reset) -> Option<Elaborated> {
     elaboration::with(|e| {
-        let id = e.known.get(block, gated)?;
+        let id = e.known.get(block, gated, reset)?;
         Some(Elaborated { id, outputs: e.shapes[id.0 as usize].clone() })
     })
 }

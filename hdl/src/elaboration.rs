@@ -4,7 +4,7 @@
 //! thread runs at most one elaboration; a guard clears the arena even when a description panics. Every handle carries
 //! the stamp of its elaboration and the number of its module, so a stale or foreign handle is a clear error.
 
-use crate::clock::{Clock, Period};
+use crate::clock::Clock;
 use crate::draft::Draft;
 use crate::in_place_of::OwnPeriod;
 use crate::ir::latency::Delay;
@@ -13,6 +13,7 @@ use crate::limits::check_period;
 use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::problem::{Problem, Problems};
+use crate::reset::Reset;
 use crate::summary::Summary;
 use std::any::{Any, TypeId};
 use std::cell::RefCell;
@@ -42,22 +43,38 @@ pub(crate) struct Elaboration {
     /// The modules under construction, the innermost last.
     pub drafts: Vec<Draft>,
     pub drafts_begun: u32,
-    /// Every named clock, with its period and the place of its first use.
-    pub clocks: BTreeMap<&'static str, (Period, Loc)>,
+    /// Every named clock, and the place of its first use.
+    pub clocks: BTreeMap<&'static str, (Clock, Loc)>,
+    /// How the top's own clock resets.
+    pub reset: Reset,
+    /// For each finished module, whether it depends on how its default clock resets.
+    pub depends_on_reset: Vec<bool>,
     pub problems: Vec<Problem>,
 }
 
-/// Blocks by type and value, independent of their `Debug` text: for each type, a `HashMap` of its blocks. A block has
-/// a module for each set of clocks on which its instances are in an enabled part.
+/// Blocks by type and value, independent of their `Debug` text: for each type, a `HashMap` of its blocks. A block has a
+/// module for each kind of reset that it was made for, and each set of clocks on which its instances are in an enabled
+/// part.
 #[derive(Default)]
 pub(crate) struct KnownBlocks(HashMap<TypeId, Box<dyn Any>>);
 
-/// The modules of a block, by their gated clocks.
-type Modules = Vec<(Vec<Option<&'static str>>, ModuleId)>;
+/// A module of a block.
+struct Made {
+    gated: Vec<Option<&'static str>>,
+    /// A module without a kind of reset serves all kinds.
+    reset: Option<Reset>,
+    id: ModuleId,
+}
 
 impl KnownBlocks {
-    pub fn get<B: Eq + Hash + 'static>(&self, block: &B, gated: &[Option<&'static str>]) -> Option<ModuleId> {
-        self.modules(block)?.iter().find(|(of, _)| of == gated).map(|(_, id)| *id)
+    pub fn get<B: Eq + Hash + 'static>(
+        &self,
+        block: &B,
+        gated: &[Option<&'static str>],
+        reset: Reset,
+    ) -> Option<ModuleId> {
+        let is_it = |made: &&Made| made.gated == gated && made.reset.is_none_or(|of| of == reset);
+        self.modules(block)?.iter().find(is_it).map(|made| made.id)
     }
 
     /// Whether the block has a module.
@@ -65,17 +82,23 @@ impl KnownBlocks {
         self.modules(block).is_some()
     }
 
-    fn modules<B: Eq + Hash + 'static>(&self, block: &B) -> Option<&Modules> {
-        let of_type: &HashMap<B, Modules> = self.0.get(&TypeId::of::<B>())?.downcast_ref()?;
+    fn modules<B: Eq + Hash + 'static>(&self, block: &B) -> Option<&Vec<Made>> {
+        let of_type: &HashMap<B, Vec<Made>> = self.0.get(&TypeId::of::<B>())?.downcast_ref()?;
         of_type.get(block)
     }
 
-    pub fn insert<B: Eq + Hash + 'static>(&mut self, block: B, gated: Vec<Option<&'static str>>, id: ModuleId) {
-        let of_type = self.0.entry(TypeId::of::<B>()).or_insert_with(|| Box::new(HashMap::<B, Modules>::new()));
-        let of_type = of_type.downcast_mut::<HashMap<B, Modules>>().expect("a map of that type");
+    pub fn insert<B: Eq + Hash + 'static>(
+        &mut self,
+        block: B,
+        gated: Vec<Option<&'static str>>,
+        reset: Option<Reset>,
+        id: ModuleId,
+    ) {
+        let of_type = self.0.entry(TypeId::of::<B>()).or_insert_with(|| Box::new(HashMap::<B, Vec<Made>>::new()));
+        let of_type = of_type.downcast_mut::<HashMap<B, Vec<Made>>>().expect("a map of that type");
         let modules = of_type.entry(block).or_default();
-        if modules.iter().all(|(of, _)| *of != gated) {
-            modules.push((gated, id));
+        if modules.iter().all(|made| made.gated != gated || made.reset != reset) {
+            modules.push(Made { gated, reset, id });
         }
     }
 }
@@ -115,8 +138,8 @@ pub(crate) fn mistake(mistake: Mistake, message: String, help: &str) -> ! {
     panic!("{message} [{mistake}], at {loc}: {help}")
 }
 
-/// Runs `describe` with a fresh arena and returns the arena's contents.
-pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
+/// Runs `describe` with a fresh arena, for a top whose own clock resets in this way, and returns the arena's contents.
+pub(crate) fn run(reset: Reset, describe: impl FnOnce()) -> Result<Elaboration, Problems> {
     CURRENT.with_borrow_mut(|current| {
         assert!(current.is_none(), "`elaborate` was called inside a block's `build`: use `m.instance` there");
         *current = Some(Elaboration {
@@ -132,6 +155,8 @@ pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
             drafts: Vec::new(),
             drafts_begun: 0,
             clocks: BTreeMap::new(),
+            reset,
+            depends_on_reset: Vec::new(),
             problems: Vec::new(),
         });
     });
@@ -168,21 +193,26 @@ impl Elaboration {
         self.drafts.last_mut().expect("a module is being built")
     }
 
-    /// Registers a clock; its name has one period in the whole design.
+    /// Registers a clock; its name has one period and one kind of reset in the whole design.
     pub fn meet_clock(&mut self, clock: Clock, loc: Loc) {
-        let (period, first) = match self.clocks.get(clock.name) {
+        let (known, first) = match self.clocks.get(clock.name) {
             Some(known) => *known,
             None => {
                 check_period(self, &format!("clock `{}`", clock.name), clock.period, loc);
-                self.clocks.insert(clock.name, (clock.period, loc));
+                self.clocks.insert(clock.name, (clock, loc));
                 return;
             }
         };
-        if period != clock.period {
-            let message =
-                format!("clock `{}` has a period of {} here and of {period} elsewhere", clock.name, clock.period);
+        let Clock { name, period, reset } = clock;
+        if reset != known.reset {
+            let message = format!("clock `{name}` has {} here and {} elsewhere", reset.words(), known.reset.words());
+            let problem = Problem::new(Mistake::TwoResets, loc, message).note(format!("`{name}` is first used"), first);
+            self.report(problem.help("a clock resets in one way in the whole design"));
+        }
+        if period != known.period {
+            let message = format!("clock `{name}` has a period of {period} here and of {} elsewhere", known.period);
             let problem =
-                Problem::new(Mistake::TwoPeriods, loc, message).note(format!("`{}` is first used", clock.name), first);
+                Problem::new(Mistake::TwoPeriods, loc, message).note(format!("`{name}` is first used"), first);
             self.report(problem.help("a clock has one period in the whole design"));
         }
     }

@@ -8,6 +8,7 @@ use crate::enabled;
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::past;
+use crate::reset::Reset;
 use crate::signal::Signal;
 use crate::stream::DraftStream;
 use crate::summary;
@@ -30,8 +31,12 @@ pub(crate) fn finish(
     chosen::assert_codes(&mut draft);
     past::wait_for_pasts(&mut draft, &e.summaries, &outputs);
     let renumber = place_clocks(&mut draft);
-    let resets = find_resets(&draft, &e.done);
-    let name = check::naming::check(&mut draft, &e.done, &outputs, &resets, name, problems);
+    let resets = find_resets(&draft, &e.done, &e.depends_on_reset);
+    // A block that does not depend on the reset has one module for all kinds.
+    let depends = resets[0].is_some();
+    let name = if depends && draft.reset != e.reset { format!("{name}_{}", draft.reset.suffix()) } else { name };
+    let reset_ports: Vec<_> = resets.iter().map(|reset| reset.as_ref().and_then(|(_, port)| port.clone())).collect();
+    let name = check::naming::check(&mut draft, &e.done, &outputs, &reset_ports, name, problems);
     check::unused::check(&draft, &outputs, problems);
     check::foreign::check(&draft, &e.done, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);
@@ -58,6 +63,7 @@ pub(crate) fn finish(
     e.own_periods.push(draft.own_periods.clone());
     e.enables
         .push(draft.enables.iter().map(|(clock, _)| draft.clocks[clock.0 as usize].map(|clock| clock.name)).collect());
+    e.depends_on_reset.push(depends);
     let block = (draft.block, !draft.enables.is_empty());
     let module = module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters);
     if e.problems.is_empty() {
@@ -82,20 +88,30 @@ fn place_clocks(draft: &mut Draft) -> Vec<Option<u32>> {
     draft.clock_used.iter().map(|used| used.then(|| place.next().expect("endless"))).collect()
 }
 
-/// For each clock of the draft, the name of its reset port, if a register uses the reset or an assertion waits for
-/// it.
-fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
-    let given = |clock: &Option<crate::clock::Clock>| draft.foreign.as_ref()?.reset_port(*clock).map(str::to_owned);
-    let mut resets: Vec<Option<String>> = draft.clocks.iter().map(given).collect();
+/// A kind of reset, and its port if it has one.
+type ResetPort = (Reset, Option<String>);
+
+/// For each clock of the draft, its reset, if a register uses it or an assertion waits for it. `depends` says which of
+/// the finished modules depend on the reset of their default clock.
+fn find_resets(draft: &Draft, done: &[Module], depends: &[bool]) -> Vec<Option<ResetPort>> {
+    let kind = |clock: usize| draft.reset_of(ClockId(clock as u32));
+    let given = |clock: usize| {
+        let port = draft.foreign.as_ref()?.reset_port(draft.clocks[clock])?;
+        kind(clock).has_port().then(|| (kind(clock), Some(port.to_owned())))
+    };
+    let mut resets: Vec<Option<ResetPort>> = (0..draft.clocks.len()).map(given).collect();
     let mut needs = |clock: ClockId| {
-        resets[clock.0 as usize] = Some(draft.reset_port(draft.clocks[clock.0 as usize]));
+        resets[clock.0 as usize] = Some((draft.reset_of(clock), draft.reset_port(clock)));
     };
     draft.registers.iter().filter(|register| register.reset.is_some()).for_each(|register| needs(register.clock));
     draft.properties.iter().for_each(|draft| needs(draft.property.clock));
     for instance in &draft.instances {
-        let child = &done[instance.module.0 as usize];
-        let reset = child.clocks.iter().zip(&instance.clocks).filter(|(clock, _)| clock.reset.is_some());
-        reset.for_each(|(_, driver)| needs(*driver));
+        let (child, depends) = (&done[instance.module.0 as usize], depends[instance.module.0 as usize]);
+        for (clock, driver) in child.clocks.iter().zip(&instance.clocks) {
+            if clock.reset.is_some() || depends && clock.name.is_none() {
+                needs(*driver);
+            }
+        }
     }
     resets
 }
@@ -120,7 +136,7 @@ fn module(
     draft: Draft,
     outputs: impl Iterator<Item = ((String, NodeId), Kind)>,
     renumber: &[Option<u32>],
-    resets: &[Option<String>],
+    resets: &[Option<ResetPort>],
     name: String,
     about: About,
     parameters: String,
@@ -130,7 +146,8 @@ fn module(
     let clocks = draft.clocks.iter().zip(resets).zip(renumber).filter(|(_, place)| place.is_some());
     let clocks = clocks.map(|((clock, reset), _)| Clock {
         port: draft.clock_port(*clock),
-        reset: reset.clone(),
+        reset: reset.as_ref().and_then(|(_, port)| port.clone()),
+        kind: reset.as_ref().map_or(Reset::Synchronous, |(kind, _)| *kind),
         period: clock.map(|clock| clock.period),
         name: clock.map(|clock| clock.name),
     });

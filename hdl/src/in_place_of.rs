@@ -1,6 +1,6 @@
 //! Clocks that run in place of others, for blocks whose own description names a clock.
 
-use crate::clock::{Clock, Period};
+use crate::clock::{Clock, DefaultClock};
 use crate::draft::Draft;
 use crate::elaboration::{self, Elaboration};
 use crate::ir;
@@ -73,7 +73,7 @@ impl Module {
         let loc = Loc::caller();
         elaboration::with(|e| {
             match self.clock {
-                Some(outer) => check(e, OwnPeriod { of: clock, loc }, named(outer), outer.period, None),
+                Some(outer) => check(e, OwnPeriod { of: clock, loc }, named(outer), outer, None),
                 None => e.draft().own_periods.push(OwnPeriod { of: clock, loc }),
             }
             e.draft().renamed.push(Renamed { inner: clock, outer: self.clock });
@@ -86,7 +86,7 @@ impl Module {
     /// The clock of this module that drives a child's clock: this handle's for the child's own clock, otherwise the
     /// clock of the same name, or the one in its place.
     pub(crate) fn bind(self, e: &mut Elaboration, clock: &ir::Clock) -> ir::ClockId {
-        let of = clock.name.zip(clock.period).map(|(name, period)| Clock { name, period });
+        let of: Option<Clock> = clock.name.map(|name| e.clocks[name].0);
         let draft = e.draft();
         let clock = of.map_or(self.clock, |clock| draft.in_use(clock));
         draft.use_clock(clock)
@@ -96,7 +96,7 @@ impl Module {
     pub(crate) fn check_own_periods(self, e: &mut Elaboration, child: ir::ModuleId, loc: Loc) {
         for needed in e.own_periods[child.0 as usize].clone() {
             match self.clock {
-                Some(clock) => check(e, needed, named(clock), clock.period, Some(loc)),
+                Some(clock) => check(e, needed, named(clock), clock, Some(loc)),
                 None => e.draft().own_periods.push(needed),
             }
         }
@@ -112,9 +112,9 @@ impl Draft {
 }
 
 /// Checks the period of the design's default clock, if it runs in place of another one.
-pub(crate) fn check_default(e: &mut Elaboration, period: Period) {
+pub(crate) fn check_default(e: &mut Elaboration, clock: DefaultClock) {
     for needed in e.own_periods.last().cloned().unwrap_or_default() {
-        check(e, needed, "the default clock".to_owned(), period, None);
+        check(e, needed, "the default clock".to_owned(), clock, None);
     }
 }
 
@@ -122,16 +122,21 @@ fn named(clock: Clock) -> String {
     format!("`{}`", clock.name)
 }
 
-fn check(e: &mut Elaboration, needed: OwnPeriod, by: String, period: Period, given: Option<Loc>) {
-    let OwnPeriod { of, loc } = needed;
-    if of.period == period {
+fn check(e: &mut Elaboration, needed: OwnPeriod, by: String, clock: impl Into<DefaultClock>, given: Option<Loc>) {
+    let (OwnPeriod { of, loc }, clock) = (needed, clock.into());
+    let place = format!("{by}, which runs in its place,");
+    let (message, help) = if of.period != clock.period {
+        let message = format!("clock `{}` has a period of {}, but {place} of {}", of.name, of.period, clock.period);
+        (message, "a block may rely on the periods of its clocks: make the clock a parameter of the block")
+    } else if of.reset != clock.reset {
+        let message = format!("clock `{}` has {}, but {place} {}", of.name, of.reset.words(), clock.reset.words());
+        (message, "give both clocks the same reset, or make the clock a parameter of the block")
+    } else {
         return;
-    }
-    let message =
-        format!("clock `{}` has a period of {}, but {by}, which runs in its place, of {period}", of.name, of.period);
+    };
     let mut problem = Problem::new(Mistake::OtherPeriod, loc, message);
     if let Some(given) = given {
         problem = problem.note(format!("{by} is given to the instance"), given);
     }
-    e.report(problem.help("a block may rely on the periods of its clocks: make the clock a parameter of the block"));
+    e.report(problem.help(help));
 }

@@ -10,6 +10,7 @@ use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::problem::Problem;
+use crate::reset::Reset;
 use crate::shaping::{IntoShape, sound_shape};
 use crate::signal::{Signal, bits_text};
 use crate::signed::READ_AS;
@@ -45,7 +46,7 @@ impl Module {
     #[track_caller]
     pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
         let loc = Loc::caller();
-        let child = elaborate_module(block, self.gated(), loc);
+        let child = elaborate_module(block, self.gated(), self.resets(), loc);
         let fed = Fed::of(&inputs, loc);
         let instance = self.declare(name, child.id, Shape::Plain, loc);
         let (out, answers) = self.read::<B>(&instance, &child, loc);
@@ -93,7 +94,7 @@ impl Module {
         B::Out: Clone,
     {
         let (loc, shape) = (Loc::caller(), shape.into_shape());
-        let child = elaborate_module(block, self.gated(), loc);
+        let child = elaborate_module(block, self.gated(), self.resets(), loc);
         let shape = elaboration::with(|e| sound_shape(e, &format!("the array `{name}`"), shape, loc));
         let instance = self.declare(name, child.id, shape, loc);
         let (out, answers) = self.read::<B>(&instance, &child, loc);
@@ -137,6 +138,11 @@ impl Module {
             draft.instance_outputs.push(ports.into_iter().map(|(name, _)| name).collect());
             Declared { id, outputs }
         })
+    }
+
+    /// How this handle's clock resets.
+    fn resets(self) -> Reset {
+        self.clock.map_or_else(|| elaboration::draft(|draft| draft.reset), |clock| clock.reset)
     }
 
     /// Connects the inputs of a declared instance: nodes by their paths in its input bundle, and then the answers to

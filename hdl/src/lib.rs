@@ -117,6 +117,7 @@ mod record;
 pub mod recording;
 mod reduce;
 mod register;
+mod reset;
 pub mod scenario;
 mod select;
 mod shaping;
@@ -145,7 +146,7 @@ pub use bundle::join;
 pub use choose::ChosenArm;
 #[doc(hidden)]
 pub use clause::ClauseOfABlock;
-pub use clock::{Clock, Period};
+pub use clock::{Clock, DefaultClock, Period};
 pub use codes::{Codes, one_of};
 #[doc(hidden)]
 pub use data::Given;
@@ -183,6 +184,7 @@ pub use record::{Lanes, Record, RecordUpdates};
 pub use record::{Numbers, Zero, named, pack, rules, unpack};
 pub use recording::Recording;
 pub use register::{Reg, Updates};
+pub use reset::Reset;
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, select};
 pub use shaping::{IntoShape, grid, row};

@@ -228,6 +228,8 @@ mistakes! {
     OutputOnClock = 807,
     /// A clock is made elsewhere than once in the top.
     MadeClock = 808,
+    /// A clock resets in two ways.
+    TwoResets = 809,
     /// What is within `enabled` runs on another clock.
     EnabledElsewhere = 831,
     /// A clock runs in place of one with another period.

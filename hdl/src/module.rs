@@ -91,6 +91,7 @@ impl Module {
         let index = elaboration::draft(|draft| draft.registers.len());
         let signal = layout.layout().map_fields("", &mut |path, width| {
             let clock = width.clock.map_or(self.clock, |clock| elaboration::draft(|draft| draft.in_use(clock)));
+            clock.into_iter().for_each(|clock| elaboration::with(|e| e.meet_clock(clock, loc)));
             let on = Module { clock };
             on.register(&port_name(name, path), *width, loc).signal
         });

@@ -12,7 +12,7 @@ const LONGEST: usize = 80;
 /// - A record's own name is omitted if its field has the same one: in `screen: Screen { .. }`, but not in
 ///   `mode: Fast { .. }`.
 /// - A field that is `true` appears by its name; a field that is `false` is omitted.
-/// - A clock appears by its name only, because clocks of one name have one period in a design: `read: VIDEO` makes
+/// - A clock appears by its name only, because clocks of one name are one clock in a design: `read: VIDEO` makes
 ///   `read_video`.
 /// - A value with the same name as its field appears once: a clock `read` as `read`.
 /// - Type arguments follow the block's name: `Queue<Pixel>` makes `queue_pixel`.
@@ -193,7 +193,9 @@ impl Reader {
 /// The name of the [`Clock`](crate::Clock) that is printed first, and the text after it.
 fn clock(printed: &str) -> Option<(&str, &str)> {
     let (name, rest) = printed.strip_prefix("Clock { name: \"")?.split_once("\", period: Period(")?;
-    let (_, rest) = rest.split_once(") }")?;
+    let (_, rest) = rest.split_once(')')?;
+    // A reset that is not the usual one may follow.
+    let (_, rest) = rest.split_once('}')?;
     Some((name, rest))
 }
 
@@ -226,6 +228,7 @@ mod tests {
 
     use super::*;
     use crate::clock::{Clock, Period};
+    use crate::reset::Reset;
 
     fn named<B: std::fmt::Debug>(block: B) -> String {
         module_name(std::any::type_name::<B>(), &format!("{block:?}"))
@@ -319,6 +322,9 @@ mod tests {
         let clock = |name| Clock::new(name, Period::ns(10));
         let crossing = Crossing { depth: 4, write: clock("host"), read: Some(clock("read")), others: Vec::new() };
         assert_eq!(named(crossing), "crossing_depth4_write_host_read_others_empty");
+        let others = vec![clock("a").reset(Reset::AsynchronousLow), clock("b2")];
+        let crossing = Crossing { depth: 4, write: clock("write").reset(Reset::PowerOn), read: None, others };
+        assert_eq!(named(crossing), "crossing_depth4_write_read_none_others_a_b2");
         let others = vec![clock("a"), clock("b2")];
         let crossing = Crossing { depth: 4, write: clock("write"), read: None, others };
         assert_eq!(named(crossing), "crossing_depth4_write_read_none_others_a_b2");

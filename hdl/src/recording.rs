@@ -49,7 +49,7 @@ pub struct Step {
     pub time_ps: u64,
     /// The clocks that rise, by index in [`Module::clocks`](crate::ir::Module::clocks).
     pub rising: Vec<usize>,
-    /// The clocks whose reset is high before and at the edge.
+    /// The clocks whose reset is active before and at the edge, whatever its level then is.
     pub resets: Vec<usize>,
     /// The inputs before and at the edge, in the sequence of the ports.
     pub inputs: Vec<Bits>,

@@ -8,6 +8,7 @@ mod kept;
 mod latency;
 mod messages;
 mod records;
+mod resets;
 mod rustc_words;
 mod scale;
 mod shapes;

@@ -43,7 +43,7 @@
 //!   falls half a period later. An *instant* is a time at which one or more clocks rise; [`Simulation::step`] goes to
 //!   the next one.
 //! - **An instant.** First, all expressions settle with the present inputs. Then the assertions and assumptions of
-//!   the rising clocks are checked, unless the clock's reset is high. If one fails, the instant does not happen, and
+//!   the rising clocks are checked, unless the clock's reset is active. If one fails, the instant does not happen, and
 //!   the error shows the values before it. Covers whose condition is true are counted ([`Simulation::covered`]).
 //!   Next, the registers, memory reads and memory writes of all these clocks sample at once, and then they all
 //!   change. So clocks that rise together see each other's previous values.
@@ -52,7 +52,7 @@
 //! - **The start** is the moment after a reset. Registers have their initial values, or else their reset values;
 //!   memories have their contents. Everything else is zero: registers with neither value, the data of synchronous
 //!   reads, and memories of unknown contents. With [`Simulation::seeded`], these values follow instead from the seed
-//!   and the object's own hierarchical name. [`Simulation::reset`] keeps every reset high for an edge of each clock.
+//!   and the object's own hierarchical name. [`Simulation::reset`] keeps every reset active for an edge of each clock.
 //! - **Memories.** A read gives the word before the instant. If a port of any clock writes that word at the same
 //!   instant and the policy is `ReadUnderWrite::Any`, the read gives the old word inverted. So a circuit that relies
 //!   on the result fails its tests. If two ports of one clock write one word, the later port wins; if ports of two

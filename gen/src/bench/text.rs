@@ -5,8 +5,8 @@ use super::table::{Column, OwnNames, Table, numbers};
 use crate::verilog::{Names, connect, packed_width, range, stop};
 use std::fmt::Write;
 use tilewright_hdl::Bits;
-use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module};
+use tilewright_hdl::{Recording, Reset};
 
 /// Further mismatches are counted but not shown.
 const MOST_SHOWN: u32 = 10;
@@ -46,8 +46,8 @@ struct Bench<'a> {
     clocks: Vec<&'a str>,
     /// The driven ports: resets, then inputs.
     driven: Vec<Port<'a>>,
-    /// For each clock, whether it has a reset.
-    has_reset: Vec<bool>,
+    /// For each clock, the kind of reset if it has a port.
+    resets: Vec<Option<Reset>>,
     outputs: Vec<Port<'a>>,
     /// The names that it uses for its own declarations, and for the expected value of each output.
     own: OwnNames,
@@ -66,7 +66,7 @@ impl<'a> Bench<'a> {
             recording,
             clocks: top.clocks.iter().map(|clock| clock.port.as_str()).collect(),
             driven: resets.chain(inputs).collect(),
-            has_reset: top.clocks.iter().map(|clock| clock.reset.is_some()).collect(),
+            resets: top.clocks.iter().map(|clock| clock.reset.as_ref().map(|_| clock.kind)).collect(),
             outputs: outputs.collect(),
             own: OwnNames::new(),
             wants: Vec::new(),
@@ -123,8 +123,9 @@ impl<'a> Bench<'a> {
         }
         if !self.driven.is_empty() {
             let values = steps.iter().map(|step| {
-                let resets = (0..self.clocks.len()).filter(|&clock| self.has_reset[clock]);
-                let resets = resets.map(|clock| Bits::from(step.resets.contains(&clock)));
+                let resets = self.resets.iter().enumerate().filter_map(|(clock, kind)| Some((clock, (*kind)?)));
+                let resets = resets.map(|(clock, kind)| kind.is_active_low() != step.resets.contains(&clock));
+                let resets = resets.map(Bits::from);
                 joined(resets.chain(step.inputs.iter().cloned()))
             });
             columns.push(Column { name: "stimulus", width: Self::width(&self.driven), values: values.collect() });

@@ -12,7 +12,7 @@ use super::scope::Names;
 use super::stated::stated;
 use super::states::StateNames;
 use super::usage::Usage;
-use tilewright_hdl::ir::{ClockId, Design, Directive, Module, NodeId, Property};
+use tilewright_hdl::ir::{Clock, ClockId, Design, Directive, Module, NodeId, Property};
 
 /// A folded module during printing.
 pub struct Printer<'a> {
@@ -107,5 +107,18 @@ impl<'a> Printer<'a> {
         let reset = reset.expect("a clock with a reset register has a reset port");
         self.usage.clocks.insert(reset.clone());
         reset
+    }
+
+    /// The condition that a clock's reset is active.
+    pub fn in_reset(&mut self, clock: ClockId) -> String {
+        let not = if self.module.clocks[clock.0 as usize].kind.is_active_low() { "!" } else { "" };
+        format!("{not}{}", self.reset_port(clock))
+    }
+
+    /// The condition that a clock's reset is not active; `None` if it has none.
+    pub fn out_of_reset(&mut self, clock: ClockId) -> Option<String> {
+        let Clock { reset, kind, .. } = &self.module.clocks[clock.0 as usize];
+        let not = if kind.is_active_low() { "" } else { "!" };
+        reset.is_some().then(|| format!("{not}{}", self.reset_port(clock)))
     }
 }

@@ -111,7 +111,14 @@ impl Printer<'_> {
         }
         let head = format!("always @(posedge {}) begin", self.clock_port(clock));
         let body = body.into_iter().map(|line| format!("    {line}"));
-        [head].into_iter().chain(body).chain(["end".to_string()]).collect()
+        let block = [head].into_iter().chain(body).chain(["end".to_string()]);
+        if !self.module.clocks[clock.0 as usize].kind.is_asynchronous() {
+            return block.collect();
+        }
+        // Verilator warns of a reset that is both asynchronous and sampled.
+        let off = "/* verilator lint_off SYNCASYNCNET */ // the reset suspends these".to_string();
+        let on = "/* verilator lint_on SYNCASYNCNET */".to_string();
+        [off].into_iter().chain(block).chain([on]).collect()
     }
 
     /// The register that records that a cover was hit.
@@ -127,8 +134,8 @@ impl Printer<'_> {
             Directive::Display => return None,
         };
         let statement = format!("{word} ({});", self.value(property.condition));
-        let line = match self.reset_is_low(property.clock) {
-            Some(low) => format!("if ({low}) {statement}"),
+        let line = match self.out_of_reset(property.clock) {
+            Some(runs) => format!("if ({runs}) {statement}"),
             None => statement,
         };
         Some(with_place(line, property.loc))
@@ -155,7 +162,7 @@ impl Printer<'_> {
                 (self.fails(property.condition), vec![says, stop])
             }
         };
-        let reset = self.reset_is_low(property.clock).map(|low| format!("{low} && ")).unwrap_or_default();
+        let reset = self.out_of_reset(property.clock).map(|runs| format!("{runs} && ")).unwrap_or_default();
         let head = with_place(format!("if ({reset}{when}) begin"), property.loc);
         let body = body.into_iter().map(|line| format!("    {line}"));
         [head].into_iter().chain(body).chain(["end".to_string()]).collect()
@@ -199,10 +206,5 @@ impl Printer<'_> {
             Op::Unary(Unary::Not, of) if self.plan.form(condition) == Form::Inline => self.operand(of, Style::Count),
             _ => format!("!{}", self.operand(condition, Style::Count)),
         }
-    }
-
-    fn reset_is_low(&mut self, clock: ClockId) -> Option<String> {
-        self.module.clocks[clock.0 as usize].reset.as_ref()?;
-        Some(format!("!{}", self.reset_port(clock)))
     }
 }

@@ -8,6 +8,7 @@ use super::plan::Form;
 use super::printer::Printer;
 use super::statement::{Statement, lines, merged};
 use tilewright_hdl::ir::{ClockId, NodeId, Op, Register};
+use tilewright_hdl::{Bits, Reset};
 
 /// The common properties of the registers of one always block.
 #[derive(Clone, Copy)]
@@ -50,7 +51,7 @@ impl Printer<'_> {
         let module = self.module;
         let group = |register: &Register| Group {
             clock: register.clock,
-            has_reset: register.reset.is_some(),
+            has_reset: register.reset.is_some() && module.clocks[register.clock.0 as usize].reset.is_some(),
             enable: register.enable,
         };
         let mut out: Vec<String> = registers.iter().filter_map(|&register| self.initial_value(register)).collect();
@@ -92,12 +93,13 @@ impl Printer<'_> {
         let body = match (group.has_reset, enable) {
             (false, None) => body,
             (false, Some(enable)) => vec![Statement::If(vec![(enable, body)], Vec::new())],
-            (true, None) => vec![after((self.reset_port(group.clock), resets), body)],
+            (true, None) => vec![after((self.in_reset(group.clock), resets), body)],
             (true, Some(enable)) => {
-                vec![Statement::If(vec![(self.reset_port(group.clock), resets), (enable, body)], Vec::new())]
+                vec![Statement::If(vec![(self.in_reset(group.clock), resets), (enable, body)], Vec::new())]
             }
         };
-        self.always_at(group.clock, &body)
+        let events = if group.has_reset { self.events_with_reset(group.clock) } else { self.edge(group.clock) };
+        always(&events, &body)
     }
 
     fn next_value(&mut self, register: usize) -> Vec<Statement> {
@@ -115,34 +117,66 @@ impl Printer<'_> {
         }
     }
 
-    /// The value of a register at power-on.
+    /// The value of a register at power-on. Where there is no reset, its reset value is one.
     fn initial_value(&mut self, index: usize) -> Option<String> {
         let register = &self.module.registers[index];
-        let value = register.initial.as_ref()?;
-        let value = match self.states.of(register.node) {
-            Some(states) => self.states.name(states, value),
-            None => number(value, self.module.node(register.node).kind, Style::Count),
+        let value = match &register.initial {
+            Some(value) => self.start(register.node, value),
+            None if self.module.clocks[register.clock.0 as usize].kind == Reset::PowerOn => {
+                self.value_of_reset(index)?
+            }
+            None => return None,
         };
         Some(format!("initial {} = {value};", self.target(register.node)))
     }
 
     fn reset_value(&mut self, index: usize) -> Option<Statement> {
+        let value = self.value_of_reset(index)?;
+        Some(Statement::Assign(format!("{} <= {value};", self.target(self.module.registers[index].node))))
+    }
+
+    fn value_of_reset(&mut self, index: usize) -> Option<String> {
         let register = &self.module.registers[index];
         let value = register.reset.as_ref()?.lane(0);
-        let value = match (self.resets[index], self.states.of(register.node)) {
-            (Some(lanes), _) => self.value(lanes),
-            (None, Some(states)) => self.states.name(states, value),
-            (None, None) => number(value, self.module.node(register.node).kind, Style::Count),
-        };
-        Some(Statement::Assign(format!("{} <= {value};", self.target(register.node))))
+        Some(match self.resets[index] {
+            Some(lanes) => self.value(lanes),
+            None => self.start(register.node, value),
+        })
+    }
+
+    /// A value of a register as text.
+    fn start(&mut self, register: NodeId, value: &Bits) -> String {
+        match self.states.of(register) {
+            Some(states) => self.states.name(states, value),
+            None => number(value, self.module.node(register).kind, Style::Count),
+        }
     }
 
     /// The statements at the rising edge of a clock.
     pub fn always_at(&mut self, clock: ClockId, body: &[Statement]) -> Vec<String> {
-        let port = self.clock_port(clock);
-        let mut out = vec![format!("always @(posedge {port}) begin")];
-        out.extend(lines(body, 1));
-        out.extend(["end".to_string(), String::new()]);
-        out
+        always(&self.edge(clock), body)
     }
+
+    /// The rising edge of a clock.
+    fn edge(&mut self, clock: ClockId) -> String {
+        format!("posedge {}", self.clock_port(clock))
+    }
+
+    /// The events that change the registers of a clock that a reset sets.
+    fn events_with_reset(&mut self, clock: ClockId) -> String {
+        let (edge, reset) = (self.edge(clock), self.reset_port(clock));
+        match self.module.clocks[clock.0 as usize].kind {
+            Reset::Asynchronous => format!("{edge} or posedge {reset}"),
+            Reset::AsynchronousLow => format!("{edge} or negedge {reset}"),
+            Reset::Synchronous | Reset::SynchronousLow | Reset::PowerOn => edge,
+        }
+    }
+}
+
+/// The statements at some events.
+fn always(events: &str, body: &[Statement]) -> Vec<String> {
+    let mut out = vec![format!("always @({events}) begin")];
+    out.extend(lines(body, 1));
+    out.extend(["end".to_string(), String::new()]);
+    out
 }

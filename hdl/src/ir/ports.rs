@@ -2,6 +2,7 @@
 
 use super::{ClockId, Kind, NodeId};
 use crate::clock::Period;
+use crate::reset::Reset;
 
 /// A clock port of a module, and its reset.
 ///
@@ -14,13 +15,17 @@ use crate::clock::Period;
 /// let clock = &design.top().clocks[0];
 /// assert_eq!((&*clock.port, clock.name), ("clk", None));
 /// assert_eq!(clock.reset, None); // a pipeline register has no reset, so the module has no reset port
+/// assert_eq!(clock.kind, Reset::Synchronous);
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clock {
     /// The clock port's name in Verilog: `clk` for the default clock, `NAME_clk` for a named one.
     pub port: String,
-    /// The reset port's name, `rst` or `NAME_rst`; `None` if nothing on this clock has a reset.
+    /// The reset port's name: `rst` or `NAME_rst`, with `_n` if it is active low. `None` if nothing on this clock has a
+    /// reset.
     pub reset: Option<String>,
+    /// The kind of reset; [`Reset::Synchronous`] if nothing on this clock depends on it.
+    pub kind: Reset,
     /// The period; `None` for the default clock of a module, which takes the clock that its instance is given. At the
     /// top of a design, every clock has a period.
     pub period: Option<Period>,

@@ -47,7 +47,7 @@ impl Init {
     }
 }
 
-/// A register, in each of its lanes. At an edge of its clock it takes `reset` if that clock's reset is high and there
+/// A register, in each of its lanes. At an edge of its clock it takes `reset` if that clock's reset is active and there
 /// is a reset value; otherwise it takes `next` if `enable` is absent or high; otherwise it is unchanged.
 ///
 /// ```
@@ -67,9 +67,10 @@ pub struct Register {
     pub node: NodeId,
     /// Its clock.
     pub clock: ClockId,
-    /// The value after a reset; `None` if a reset does not affect it.
+    /// The value after a reset, and at power-on unless `initial` differs; `None` if a reset does not affect it. On a
+    /// clock of [`Reset::PowerOn`](crate::Reset::PowerOn) it is the value at power-on alone.
     pub reset: Option<Init>,
-    /// The value at power-on, the same in each lane; `None` if it is undefined.
+    /// The value at power-on, the same in each lane; `None` if it is that after a reset, or undefined.
     pub initial: Option<Bits>,
     /// 1 bit, of the register's shape: takes `next` while high. `None` means always.
     pub enable: Option<NodeId>,

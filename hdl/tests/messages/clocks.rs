@@ -277,6 +277,46 @@ fn a_clock_runs_in_place_of_one_with_its_period() {
 }
 
 #[test]
+fn a_clock_resets_in_one_way() {
+    const OTHER: Clock = Clock::new("fast", Period::ns(4)).reset(Reset::AsynchronousLow);
+    expect(
+        |m, i| {
+            let on = m.on(FAST).pipe("on", i.a.quasi_static("a test"));
+            m.on(OTHER).pipe("other", on)
+        },
+        "clock `fast` has an asynchronous reset, active low here and a synchronous reset elsewhere [T809]
+         --> [m.on(OTHER).pipe(\"other\", on)]
+         `fast` is first used at [let on = m.on(FAST).pipe(\"on\", i.a.quasi_static(\"a test\"));]
+         help: a clock resets in one way in the whole design",
+    );
+    // A clock that only a width names is known as well.
+    let text = problems(&Case(|m, i| {
+        let _ = m.reg("on", bits(8).on(FAST)).reset(0).when(lit(1, 1), 1);
+        *m.reg("other", bits(8).on(OTHER.reset(Reset::PowerOn))).when(i.a.quasi_static("a test").bit(0), 1)
+    }));
+    assert!(text.starts_with("clock `fast` has no reset here and a synchronous reset elsewhere [T809]"), "{text}");
+}
+
+#[test]
+fn the_port_of_a_reset_is_no_other_port() {
+    block! {
+        /// An input with a reset's name.
+        struct Taken;
+        in TakenIn { rst_n: bit() }
+        out TakenOut { count: bits(4) }
+    }
+    impl Taken {
+        fn build(&self, m: Module, i: TakenIn) -> TakenOut {
+            TakenOut { count: *m.reg("count", 4).reset(0).when(i.rst_n, 1) }
+        }
+    }
+    elaborate(&Taken).unwrap();
+    let clock = DefaultClock::new(DEFAULT_PERIOD).reset(Reset::SynchronousLow);
+    let text = elaborate_at(&Taken, clock).unwrap_err().to_string();
+    assert!(text.starts_with("input `rst_n` has the name of a reset [T401]"), "{text}");
+}
+
+#[test]
 #[should_panic(expected = "a clock period is an even number of picoseconds above 0")]
 fn periods_that_have_no_half() {
     let _ = Period::ps(3);

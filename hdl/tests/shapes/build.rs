@@ -3,7 +3,7 @@
 #![allow(dead_code)] // Each test takes what it needs.
 
 use tilewright_hdl::ir::*;
-use tilewright_hdl::{Bits, Loc, Period, ReadUnderWrite};
+use tilewright_hdl::{Bits, Loc, Period, ReadUnderWrite, Reset};
 
 /// A module under construction, with a default clock and a reset.
 pub struct Build {
@@ -16,8 +16,13 @@ const ALWAYS: Option<NodeId> = None;
 impl Build {
     #[track_caller]
     pub fn new(name: &str) -> Build {
-        let clock =
-            Clock { port: "clk".to_owned(), reset: Some("rst".to_owned()), period: Some(Period::ns(10)), name: None };
+        let clock = Clock {
+            port: "clk".to_owned(),
+            reset: Some("rst".to_owned()),
+            period: Some(Period::ns(10)),
+            name: None,
+            kind: Reset::Synchronous,
+        };
         let module = Module {
             name: name.to_owned(),
             about: About::default(),

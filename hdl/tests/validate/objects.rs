@@ -2,7 +2,7 @@
 
 use crate::validate::common::*;
 use tilewright_hdl::ir::*;
-use tilewright_hdl::{Bits, Design, Period, ReadUnderWrite};
+use tilewright_hdl::{Bits, Design, Period, ReadUnderWrite, Reset};
 
 #[test]
 fn registers() {
@@ -136,6 +136,13 @@ fn instances() {
     refused("the clock of `top.u_one` is clock 9 of 2", |it| one(it, |i| i.clocks[0] = ClockId(9)));
     refused("clock `clk` of `top.u_one` has a reset, but `fast_clk`, which drives it, has none", |it| {
         one(it, |i| i.clocks[0] = ClockId(1));
+    });
+    refused(
+        "clock `clk` of `top.u_one` has an asynchronous reset, but `clk`, which drives it, has a synchronous reset",
+        |it| it.stage().clocks[0].kind = Reset::Asynchronous,
+    );
+    refused("`stage.clk` is a clock without a reset, but has a reset port", |it| {
+        it.stage().clocks[0].kind = Reset::PowerOn;
     });
     refused("clock `clk` of `top.u_one` is driven by `clk`, which has another period", |it| {
         it.stage().clocks[0].name = Some("slow");

@@ -167,6 +167,7 @@ impl Engine for Lockstep {
     }
 
     fn set_reset(&mut self, clock: usize, high: bool) {
+        self.touched = true;
         self.reference.set_reset(clock, high);
         self.other.set_reset(clock, high);
     }

@@ -160,7 +160,7 @@ pub(crate) trait Engine: Send {
     /// Replaces a word of a memory.
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]);
 
-    /// Sets a clock's reset.
+    /// Sets whether a clock's reset is active. An asynchronous one then sets its registers at once.
     fn set_reset(&mut self, clock: usize, high: bool);
 
     /// The assertions that fail at an edge of these clocks.

@@ -29,7 +29,7 @@ use super::simulation::Simulation;
 pub struct Covered {
     /// Its name after the instance's path: `u_table.a page is taken`.
     pub path: String,
-    /// The number of edges at which it was hit while the reset was low, summed over its lanes.
+    /// The number of edges at which it was hit while the reset was not active, summed over its lanes.
     pub count: u64,
     /// The place in the description.
     pub loc: Loc,
@@ -60,7 +60,7 @@ impl Running {
         found.ok_or_else(|| UnknownName::new("cover", path, &all.into_iter().map(|it| it.path).collect::<Vec<_>>()))
     }
 
-    /// The count of a cover in each lane, without the edges at which its reset was high.
+    /// The count of a cover in each lane, without the edges at which its reset was active.
     fn counted(&mut self, index: usize) -> Vec<u64> {
         let cover = &self.program.covers[index];
         let (value, clock) = (cover.counter, cover.clock as usize);
@@ -93,7 +93,7 @@ impl Running {
 }
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    /// The number of edges at which the cover with this name was hit while the reset was low:
+    /// The number of edges at which the cover with this name was hit while the reset was not active:
     /// `sim.covered("u_table.a page is taken")`.
     ///
     /// ```

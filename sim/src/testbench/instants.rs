@@ -1,19 +1,43 @@
 //! Advancing a running circuit in time.
 
+use tilewright_hdl::Reset;
+
 use crate::engine::Failed;
-use crate::engine::program::Triggers;
+use crate::engine::program::{self, Triggers};
 use crate::testbench::error::{Error, UnknownName, Violation};
 use crate::testbench::run::done;
 use crate::testbench::running::Running;
 use crate::testbench::trace::View;
 
 impl Running {
-    fn set_reset(&mut self, clock: usize, high: bool) {
-        if self.resets[clock] != high {
-            self.cover_reset(clock, high);
+    /// Sets whether a clock's reset is active; without effect on a clock that has none.
+    fn set_reset(&mut self, clock: usize, active: bool) {
+        if self.resets[clock] == active || self.program.clocks[clock].kind == Reset::PowerOn {
+            return;
         }
-        self.resets[clock] = high;
-        self.engine.set_reset(clock, high);
+        self.cover_reset(clock, active);
+        self.resets[clock] = active;
+        self.reset_since[clock] = self.timeline.time();
+        self.engine.set_reset(clock, active);
+        self.may_have_changed(Triggers::state(clock));
+    }
+
+    /// Sets whether the reset of the clock with this name is active.
+    #[track_caller]
+    pub fn set_reset_of(&mut self, name: &str, active: bool) {
+        let clock = self.clock(name).unwrap_or_else(|unknown| panic!("{unknown}"));
+        let program::Clock { name, kind, .. } = &self.program.clocks[clock];
+        assert!(
+            *kind != Reset::PowerOn,
+            "clock `{name}` has no reset: its registers have their values at power-on in a new simulation"
+        );
+        // A recording has the resets at edges: no replay would show a pulse between two.
+        let is_pulse = self.resets[clock] && !active && self.reset_since[clock] == self.timeline.time();
+        assert!(
+            !is_pulse || !kind.is_asynchronous(),
+            "the reset of clock `{name}` is released at the time at which it became active: step in between"
+        );
+        self.set_reset(clock, active);
     }
 
     /// Like [`Running::try_step`].
@@ -114,7 +138,7 @@ impl Running {
         Ok(done.edges)
     }
 
-    /// An edge of every clock with every reset high.
+    /// An edge of every clock with every reset active.
     pub fn try_reset(&mut self) -> Result<(), Error> {
         (0..self.resets.len()).for_each(|clock| self.set_reset(clock, true));
         let before: Vec<u64> = (0..self.resets.len()).map(|clock| self.timeline.cycles(clock)).collect();

@@ -90,7 +90,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         }
     }
 
-    /// Sets every reset high for one edge of every clock, then low.
+    /// Makes every reset active for one edge of every clock, and then releases it. On a clock without a reset the edge
+    /// is one like all others.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -109,6 +110,35 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     #[track_caller]
     pub fn reset(&mut self) {
         done(self.try_reset());
+    }
+
+    /// Makes the reset of a clock active, or releases it. The clock is given directly or by name. An active reset sets
+    /// the registers at each edge of the clock; an asynchronous one sets them at once as well. While it is active, no
+    /// assertion on the clock is checked.
+    ///
+    /// ```
+    /// use tilewright_hdl::{DEFAULT_PERIOD, DefaultClock, Reset};
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::at(&Counter, DefaultClock::new(DEFAULT_PERIOD).reset(Reset::AsynchronousLow))?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(10);
+    /// sim.set_reset("clk", true); // the port `rst_n` is low now
+    /// assert_eq!((sim.get_u64(sim.o.count), sim.time()), (0, 100_000)); // without an edge
+    /// sim.run(5);
+    /// assert_eq!(sim.get_u64(sim.o.count), 0);
+    /// sim.set_reset("clk", false);
+    /// sim.step();
+    /// assert_eq!(sim.get_u64(sim.o.count), 1);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There is no such clock; it has no reset; or an asynchronous reset is released at the time at which it became
+    /// active, which no recording would show.
+    #[track_caller]
+    pub fn set_reset(&mut self, clock: impl AsRef<str>, active: bool) {
+        self.circuit.set_reset_of(clock.as_ref(), active);
     }
 
     /// Like [`Simulation::step`], for a program that reports errors itself.
@@ -131,7 +161,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.try_step()
     }
 
-    /// Like [`Simulation::reset`]; after an error, the resets stay high.
+    /// Like [`Simulation::reset`]; after an error, the resets stay active.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};

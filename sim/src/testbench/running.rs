@@ -17,7 +17,10 @@ pub(crate) struct Running {
     pub program: Arc<Program>,
     pub engine: Started,
     pub timeline: Timeline,
+    /// For each clock: its reset is active.
     pub resets: Vec<bool>,
+    /// For each clock: when its reset last became active.
+    pub reset_since: Vec<u64>,
     pub observers: Vec<Box<dyn Observer + Send>>,
     /// The memory words replaced before the first step, which recordings include.
     pub poked: Poked,
@@ -27,7 +30,7 @@ pub(crate) struct Running {
     pub changed: Triggers,
     /// The clocks of the coming instant; kept to avoid an allocation.
     pub rising: Vec<usize>,
-    /// For each cover, two numbers in each lane: the count while the reset was high, and, if the reset is high now,
+    /// For each cover, two numbers in each lane: the count while the reset was active, and, if it is active now,
     /// the count at its begin.
     pub in_reset: Vec<Vec<u64>>,
     pub before_reset: Vec<Vec<u64>>,
@@ -84,6 +87,7 @@ impl Running {
             engine,
             timeline: Timeline::new(&program),
             resets: vec![false; program.clocks.len()],
+            reset_since: vec![0; program.clocks.len()],
             observers: Vec::new(),
             poked: Poked::default(),
             recorded: Vec::new(),

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use tilewright_hdl::{Block, Bundle, DEFAULT_PERIOD, Design, Period, elaborate_typed};
+use tilewright_hdl::{Block, Bundle, DEFAULT_PERIOD, DefaultClock, Design, elaborate_typed};
 
 use crate::engine::program::Program;
 use crate::engine::{EngineKind, Passes};
@@ -52,7 +52,7 @@ impl Simulation {
         Simulation::at(block, DEFAULT_PERIOD)
     }
 
-    /// Like [`Simulation::of`], with another period of the default clock.
+    /// Like [`Simulation::of`], with another period of the default clock, or with another [`DefaultClock`].
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -68,8 +68,8 @@ impl Simulation {
     ///
     /// [`Error::Description`] lists every mistake in the description.
     #[track_caller]
-    pub fn at<B: Block>(block: &B, period: Period) -> Result<Simulation<B::In, B::Out>, Error> {
-        let Typed { design, i, o } = typed(block, period)?;
+    pub fn at<B: Block>(block: &B, clock: impl Into<DefaultClock>) -> Result<Simulation<B::In, B::Out>, Error> {
+        let Typed { design, i, o } = typed(block, clock)?;
         Simulation::new(&design, 1, i, o, &Passes::default())
     }
 
@@ -361,8 +361,8 @@ pub(crate) struct Typed<B: Block> {
 
 /// Elaborates a block.
 #[track_caller]
-pub(crate) fn typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, Error> {
-    let (design, inputs, outputs) = elaborate_typed(block, period)?;
+pub(crate) fn typed<B: Block>(block: &B, clock: impl Into<DefaultClock>) -> Result<Typed<B>, Error> {
+    let (design, inputs, outputs) = elaborate_typed(block, clock)?;
     let port = |index: &usize| Port { index: *index as u32 };
     let i = B::In::convert(&inputs, &mut |_, index: &usize| port(index));
     let o = B::Out::convert(&outputs, &mut |_, index: &usize| port(index));

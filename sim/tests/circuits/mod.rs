@@ -19,6 +19,7 @@ mod nested;
 mod packed;
 mod quiet;
 mod random;
+mod resets;
 mod rows_together;
 mod shapes;
 mod store;

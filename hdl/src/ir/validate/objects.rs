@@ -9,6 +9,7 @@ use crate::ir::{
 use crate::limits::WIDEST;
 use crate::loc::Loc;
 use crate::names::{is_legal, is_reserved};
+use crate::reset::Reset;
 use crate::signal::bits_text;
 use crate::width::index_width;
 use std::fmt;
@@ -48,7 +49,7 @@ impl<'a> Rules<'a> {
             if let Some(reset) = &register.reset {
                 self.init(reset, node, &owner);
                 let clock = self.module.clocks.get(register.clock.0 as usize);
-                self.rule(clock.is_none_or(|clock| clock.reset.is_some()), loc, || {
+                self.rule(clock.is_none_or(|clock| clock.reset.is_some() || clock.kind == Reset::PowerOn), loc, || {
                     format!("{owner} has a reset value, but its clock has no reset port")
                 });
             }

@@ -21,6 +21,9 @@ impl Rules<'_> {
         let loc = self.module.loc;
         for (index, clock) in self.module.clocks.iter().enumerate() {
             let owner = self.of(&clock.port);
+            self.rule(clock.reset.is_none() || clock.kind.has_port(), loc, || {
+                format!("{owner} is a clock without a reset, but has a reset port")
+            });
             self.rule(clock.name.is_none() || clock.period.is_some(), loc, || {
                 format!("{owner} is a clock with a name, but has no period")
             });
@@ -120,6 +123,13 @@ impl Rules<'_> {
             self.rule(clock.reset.is_none() || driver.reset.is_some(), loc, || {
                 format!(
                     "clock `{}` of {owner} has a reset, but `{}`, which drives it, has none",
+                    clock.port, driver.port
+                )
+            });
+            self.rule(clock.reset.is_none() || driver.reset.is_none() || clock.kind == driver.kind, loc, || {
+                let (kind, other) = (clock.kind.words(), driver.kind.words());
+                format!(
+                    "clock `{}` of {owner} has {kind}, but `{}`, which drives it, has {other}",
                     clock.port, driver.port
                 )
             });

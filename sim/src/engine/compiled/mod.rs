@@ -332,6 +332,11 @@ impl Engine for Compiled {
         self.any_reset = self.resets.contains(&true);
         self.latest = None;
         self.unready();
+        if high && self.program.clocks[clock].kind.is_asynchronous() {
+            self.reset(&[clock]);
+            self.wake_clocks();
+            self.change(Triggers::state(clock));
+        }
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {

@@ -6,6 +6,7 @@ use super::Engine;
 use super::memory::{address, word};
 use crate::engine::Failed;
 use crate::engine::program::{Program, Readers, Register, Triggers, ValueId};
+use crate::engine::start;
 
 /// Data about edges that is computed once, and their temporary memory.
 #[derive(Debug, Clone)]
@@ -54,10 +55,15 @@ fn is_entangled(program: &Program, clock: u32) -> bool {
 }
 
 impl Engine {
-    /// Sets a clock's reset.
+    /// Sets whether a clock's reset is active.
     pub fn set_reset(&mut self, clock: usize, high: bool) {
         self.plan.resets[clock] = high;
         self.idle[clock] = false;
+        let program = self.program.clone();
+        for register in program.reset_at_once(clock, high) {
+            start::reset(&program, register, self);
+            self.pending = self.pending.with(Triggers::state(clock));
+        }
     }
 
     /// The assertions that fail at an edge of these clocks.

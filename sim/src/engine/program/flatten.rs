@@ -362,6 +362,7 @@ fn program_clock(clock: &tilewright_hdl::ir::Clock) -> Clock {
         name: clock.name.unwrap_or(&clock.port).to_string(),
         port: clock.port.clone(),
         reset: clock.reset.clone(),
+        kind: clock.kind,
         period: clock.period.expect("the clocks of a top have periods").picoseconds(),
         triggers: Triggers::NONE,
         registers: Vec::new(),

@@ -25,7 +25,7 @@ mod split;
 
 use crate::engine::Passes;
 use tilewright_hdl::ir::{self, Contents, Init, ReadUnderWrite};
-use tilewright_hdl::{Bits, Loc, limbs_for};
+use tilewright_hdl::{Bits, Loc, Reset, limbs_for};
 
 pub use circuit::{Cell, Circuit, ValueId};
 pub use compile::{compile, compile_lanes, most_lanes};
@@ -202,6 +202,8 @@ pub struct Clock {
     pub port: String,
     /// The reset port in Verilog, if the reset is used.
     pub reset: Option<String>,
+    /// The kind of reset.
+    pub kind: Reset,
     /// The period in picoseconds.
     pub period: u64,
     /// The causes that can make its edge have another effect than the last time.
@@ -388,6 +390,16 @@ impl Program {
         let Cell { lanes, width, .. } = self.circuit[id];
         let (offset, segment) = self.schedule.slots[id.index()];
         Value { lanes, width, offset, segment }
+    }
+
+    /// The registers that change at once when a clock's reset becomes this: those of an asynchronous one.
+    pub(crate) fn reset_at_once(&self, clock: usize, is_active: bool) -> impl Iterator<Item = &Register> {
+        let registers = if is_active && self.clocks[clock].kind.is_asynchronous() {
+            self.clocks[clock].registers.as_slice()
+        } else {
+            &[]
+        };
+        registers.iter().map(|&index| &self.registers[index as usize])
     }
 
     /// Whether a value is set from outside the circuit: an input, a register, the data of a synchronous read.

@@ -153,6 +153,10 @@ impl engine::Engine for Engine {
 
     fn set_reset(&mut self, clock: usize, high: bool) {
         self.resets[clock] = high;
+        let program = self.program.clone();
+        for register in program.reset_at_once(clock, high) {
+            start::reset(&program, register, self);
+        }
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {

@@ -7,7 +7,7 @@ mod run;
 
 use std::fmt;
 
-use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, Design, Period};
+use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, DefaultClock, Design};
 
 use crate::engine::EngineKind;
 use crate::engine::Passes;
@@ -122,8 +122,8 @@ impl Batch {
     ///
     /// As [`Batch::of`].
     #[track_caller]
-    pub fn at<B: Block>(block: &B, period: Period, runs: u32) -> Result<Batch<B::In, B::Out>, Error> {
-        let Typed { design, i, o } = typed(block, period)?;
+    pub fn at<B: Block>(block: &B, clock: impl Into<DefaultClock>, runs: u32) -> Result<Batch<B::In, B::Out>, Error> {
+        let Typed { design, i, o } = typed(block, clock)?;
         Batch::new(&design, runs, i, o)
     }
 

@@ -81,7 +81,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().step_clock(clock, n);
     }
 
-    /// Sets every reset of all runs high for one edge of every clock, then low.
+    /// Makes every reset of all runs active for one edge of every clock, and then releases it.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -155,7 +155,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().try_run_to(time)
     }
 
-    /// Like [`Batch::reset`]; after an error, the resets stay high.
+    /// Like [`Batch::reset`]; after an error, the resets stay active.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};

@@ -147,7 +147,7 @@ impl Dump {
             let reset = resets[index];
             if let Some(id) = clock.reset_id.filter(|_| self.resets.get(index) != Some(&reset)) {
                 text.at(at);
-                text.bit(id, reset);
+                text.bit(id, reset != clock.resets_low);
             }
         }
         self.resets.clear();

@@ -42,6 +42,8 @@ pub(crate) struct Clock {
     period: u64,
     pub id: Option<Id>,
     pub reset_id: Option<Id>,
+    /// The reset port is low while it resets.
+    pub resets_low: bool,
 }
 
 impl Clock {
@@ -70,7 +72,12 @@ pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result
         next: IdCode::FIRST,
         header: Header { text: Vec::new(), variables: Vec::new(), clocks: Vec::new() },
     };
-    let clock = |clock: &crate::engine::program::Clock| Clock { period: clock.period, id: None, reset_id: None };
+    let clock = |clock: &crate::engine::program::Clock| Clock {
+        period: clock.period,
+        id: None,
+        reset_id: None,
+        resets_low: clock.kind.is_active_low(),
+    };
     build.header.clocks = program.clocks.iter().map(clock).collect();
     build.write().expect("writing to memory does not fail");
     match build.used.iter().position(|used| !used) {

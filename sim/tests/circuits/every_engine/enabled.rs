@@ -80,7 +80,7 @@ fn an_enabled_block_runs_in_the_edges_that_are_enabled() {
     let mut next = numbers();
     let mut enabled = 0;
     for _ in 0..200 {
-        let (x, take, enable) = (next() % 256, next() % 2, u64::from(next() % 3 == 0));
+        let (x, take, enable) = (next() % 256, next() % 2, u64::from(next().is_multiple_of(3)));
         outer.drive(OuterIn { enable, x, take });
         inner.drive(InnerIn { x, take });
         let (seen, expected) = (outer.read_u64(), inner.read_u64());

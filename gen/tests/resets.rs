@@ -1,0 +1,129 @@
+//! Each kind of reset in the Verilog and its testbench.
+
+use tilewright_gen::{testbench, tools, verilog};
+use tilewright_hdl::recording::Step;
+use tilewright_hdl::*;
+
+codes! { enum Way { Left, Right } }
+
+block! {
+    /// A counter, a pipeline, lanes, a state machine and a statement.
+    struct Kinds;
+    in KindsIn { enable: bit() }
+    out KindsOut { count: bits(4), late: bits(4), all: bits(12), way: _ }
+}
+
+impl Kinds {
+    fn build(&self, m: Module, i: KindsIn) -> KindsOut {
+        def!(count = m.reg(4).reset(9));
+        count.enable(i.enable).next(count + 1);
+        def!(late = m.pipe(*count));
+        def!(ring = m.reg(bits(4).of(row(3))).reset_each([7, 8, 9]));
+        ring.next(ring.previous(ring.last()));
+        def!(way = m.reg(one_of::<Way>()).reset(Way::Right));
+        way.when(i.enable, Way::Left);
+        m.assert(m.past(i.enable).implies(count.ne(m.past(*count))), "it counts");
+        KindsOut { count: *count, late, all: ring.pack(), way: *way }
+    }
+}
+
+fn design(reset: Reset) -> Design {
+    elaborate_at(&Kinds, DefaultClock::new(DEFAULT_PERIOD).reset(reset)).unwrap()
+}
+
+fn text(reset: Reset) -> String {
+    verilog(&design(reset))[0].text.clone()
+}
+
+/// The line that contains this, without what the place adds.
+fn line<'a>(text: &'a str, part: &str) -> &'a str {
+    let found = text.lines().find(|line| line.contains(part)).unwrap_or_else(|| panic!("no {part} in {text}"));
+    found.split("//").next().unwrap().trim()
+}
+
+#[test]
+fn registers_with_a_reset_wait_for_it_and_others_do_not() {
+    for (reset, events, condition, runs) in [
+        (Reset::Synchronous, "posedge clk", "if (rst) ", "!rst && "),
+        (Reset::SynchronousLow, "posedge clk", "if (!rst_n) ", "rst_n && "),
+        (Reset::Asynchronous, "posedge clk or posedge rst", "if (rst) ", "!rst && "),
+        (Reset::AsynchronousLow, "posedge clk or negedge rst_n", "if (!rst_n) ", "rst_n && "),
+    ] {
+        let text = text(reset);
+        let port = reset.is_active_low().then_some("rst_n").unwrap_or("rst");
+        assert!(text.contains(&format!("    input  wire        {port},\n")), "{text}");
+        assert!(text.contains(&format!("always @({events}) begin\n        {condition}count <= 4'd9;\n")), "{text}");
+        assert!(text.contains("always @(posedge clk) begin\n        late <= count;\n"), "{text}");
+        assert!(text.contains(&format!("if ({runs}")), "{text}");
+        assert!(!text.contains("initial count"), "{text}");
+    }
+}
+
+#[test]
+fn without_a_reset_its_values_are_those_at_power_on() {
+    let text = text(Reset::PowerOn);
+    assert!(!text.contains("rst"), "{text}");
+    assert_eq!(line(&text, "initial count"), "initial count = 4'd9;");
+    assert_eq!(line(&text, "initial way"), "initial way = WAY_RIGHT;");
+    assert!(text.contains("always @(posedge clk) begin\n        if (enable) count <= count + 4'd1;\n"), "{text}");
+    assert_eq!(line(&text, "initial ring"), "initial ring = ring_reset[3:0];");
+}
+
+/// The recorded steps of a run, with the reset active at the second and third.
+fn run(reset: Reset) -> Recording {
+    let step = |(time, (resets, [count, late, all, way])): (u64, (bool, [u64; 4]))| Step {
+        time_ps: time * 10_000,
+        rising: vec![0],
+        resets: if resets && reset.has_port() { vec![0] } else { vec![] },
+        inputs: vec![Bits::new(1, 1)],
+        outputs: vec![Bits::new(4, count), Bits::new(4, late), Bits::new(12, all), Bits::new(1, way)],
+    };
+    let (before, after): ([_; 2], [_; 2]) = match reset {
+        // At the second step the registers are set already.
+        Reset::Asynchronous | Reset::AsynchronousLow => {
+            ([[9, 0, 0x987, 1], [9, 9, 0x987, 1]], [[9, 9, 0x987, 1], [9, 9, 0x987, 1]])
+        }
+        Reset::Synchronous | Reset::SynchronousLow => {
+            ([[9, 0, 0x987, 1], [10, 9, 0x879, 0]], [[9, 10, 0x987, 1], [9, 9, 0x987, 1]])
+        }
+        Reset::PowerOn => ([[9, 0, 0x987, 1], [10, 9, 0x879, 0]], [[11, 10, 0x798, 0], [12, 11, 0x987, 0]]),
+    };
+    let states = before.into_iter().chain(after);
+    let steps = (1..).zip([false, true, true, false].into_iter().zip(states)).map(step);
+    Recording { steps: steps.collect(), initial: vec![] }
+}
+
+#[test]
+fn a_testbench_drives_each_kind() {
+    for reset in Reset::ALL {
+        let (design, recording) = (design(reset), run(reset));
+        let (files, bench) = (verilog(&design), testbench(&design, &recording));
+        let _ = tools::replay_in_icarus(&files, &bench).unwrap_or_else(|problem| panic!("{reset:?}: {problem}"));
+    }
+}
+
+/// Verilator takes seconds, so it takes one kind here; random designs have all.
+#[test]
+fn verilator_resets_asynchronously() {
+    let (design, recording) = (design(Reset::AsynchronousLow), run(Reset::AsynchronousLow));
+    let _ = tools::replay_in_verilator(&verilog(&design), &testbench(&design, &recording)).unwrap();
+}
+
+#[test]
+fn a_testbench_tells_the_kinds_apart() {
+    let (sound, recording) = (design(Reset::Synchronous), run(Reset::Asynchronous));
+    match tools::replay_in_icarus(&verilog(&sound), &testbench(&sound, &recording)) {
+        Ok(checked) => assert_eq!(checked, tools::Checked::Skipped),
+        Err(problem) => assert!(problem.to_string().contains("FAIL: cycle 1: count is a, expected 9"), "{problem}"),
+    }
+}
+
+#[test]
+fn no_linter_complains_of_any_kind() {
+    let designs = Reset::ALL.map(|reset| verilog(&design(reset)));
+    let files = designs.each_ref().map(|files| &files[..]);
+    if let Err(problems) = tools::lint_all(&files) {
+        let first = problems.into_iter().map(|(of, problem)| format!("{:?}: {problem}", Reset::ALL[of])).next();
+        panic!("{}", first.unwrap());
+    }
+}
