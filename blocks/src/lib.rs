@@ -70,6 +70,7 @@
 //! | [`VideoTiming`], [`TmdsEncoder`] | positions and sync pulses of a screen, a colour as symbols of DVI | 1, 2 | any |
 //! | [`Debouncer`] | a switch without its bounces | 2 clocks, and those that a level lasts | any |
 //! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable once in each period | 1 | any |
+//! | [`ResetSynchronizer`] | the synchronous release of an asynchronous reset | 0 to assert, 2 to release | |
 //! | [`Counter`], [`UpDownCounter`], [`ShiftRegister`], [`Lfsr`] | counters, a shift register, a pseudo-random sequence | 1 | from inputs to outputs, except for [`Counter`]'s `wraps` and [`UpDownCounter`]'s `next` |
 //! | [`CountOnes`] | the number of ones, as a function [`count_ones`] | 0 | |
 //! | [`Quantizer`] | a rounded and saturated number, as functions [`round`] and [`saturate`] | 1 | any |
@@ -99,6 +100,7 @@ mod multiply_accumulate;
 mod ports;
 mod quadrature;
 mod ram;
+mod reset_synchronizer;
 mod rotator;
 mod rounding;
 mod shift;
@@ -147,6 +149,7 @@ pub use multiply_accumulate::{MultiplyAccumulate, MultiplyAccumulateIn, Multiply
 pub use ports::{StreamIn, StreamOut};
 pub use quadrature::{Quadrature, QuadratureIn, QuadratureOut, Turn};
 pub use ram::{DualClockRam, DualClockRamIn, DualClockRamOut, Ram, RamIn, RamOut};
+pub use reset_synchronizer::{ResetSynchronizer, ResetSynchronizerOut};
 pub use rotator::{Rotator, RotatorIn, RotatorOut};
 pub use rounding::{Quantizer, QuantizerIn, QuantizerOut, Ties, round, saturate};
 pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};

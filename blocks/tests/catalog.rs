@@ -144,6 +144,7 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("axi-lite-registers", "r_data"), [0, 0x1234_5678, 0xbeef, 0, 0x12bb_cc78, 0]);
     assert_eq!(values("spi-master", "cs_n"), [1, 0, 1, 0, 1]);
     assert_eq!(values("power-on-reset", "reset"), [1, 0, 1, 0]);
+    assert_eq!(values("reset-synchronizer", "reset"), [1, 0]);
     assert_eq!(values("multiplier", "product"), [0, 15, 225, 63, 0]);
     assert_eq!(values("ram", "word"), [0, 0x22, 0x11, 0xaa, 0x33]);
     assert_eq!(values("vector-registers", "right_value"), [0, 7]);

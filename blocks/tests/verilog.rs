@@ -5,7 +5,7 @@ use tilewright_blocks::catalog::ENTRIES;
 use tilewright_blocks::*;
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};
 use tilewright_hdl::ir::{self, Input, Kind};
-use tilewright_hdl::{Block, Clock, Design, Module, Period, Width, below, elaborate, stream};
+use tilewright_hdl::{Block, Clock, Design, Module, Period, Reset, Width, below, elaborate, stream};
 use tilewright_sim::Simulation;
 
 fn designed<B: Block>(block: B) -> (String, Design) {
@@ -98,6 +98,9 @@ fn blocks() -> Vec<(String, Design)> {
         blocks.push(designed(FromAxiStream { lanes: 2 * registers - 1 }));
     }
     blocks.push(designed(PowerOnReset::new(3)));
+    for reset in [Reset::Asynchronous, Reset::AsynchronousLow] {
+        blocks.push(designed(ResetSynchronizer::new(Clock::new("board", Period::ns(20)).reset(reset))));
+    }
     blocks.push(designed(Ticks::new(5)));
     blocks
 }

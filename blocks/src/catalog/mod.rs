@@ -45,6 +45,7 @@ pub const ENTRIES: &[Entry] = &[
     small::LFSR,
     small::QUADRATURE,
     small::POWER_ON_RESET,
+    small::RESET_SYNCHRONIZER,
     small::TICKS,
     pins::DEBOUNCER,
     pins::SPI_MASTER,

@@ -1,11 +1,11 @@
 //! The entries of blocks without streams.
 
 use crate::{
-    Counter, CounterIn, Lfsr, LfsrIn, PowerOnReset, PowerOnResetIn, Quadrature, QuadratureIn, ShiftRegister,
-    ShiftRegisterIn, Ticks, TicksIn, UpDownCounter, UpDownCounterIn,
+    Counter, CounterIn, Lfsr, LfsrIn, PowerOnReset, PowerOnResetIn, Quadrature, QuadratureIn, ResetSynchronizer,
+    ShiftRegister, ShiftRegisterIn, Ticks, TicksIn, UpDownCounter, UpDownCounterIn,
 };
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
-use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
+use tilewright_hdl::{Clock, DEFAULT_PERIOD, Reset, Scenario, Script, elaborate};
 
 pub(super) const COUNTER: Entry = Entry {
     name: "counter",
@@ -65,6 +65,14 @@ pub(super) const POWER_ON_RESET: Entry = Entry {
     parameters: &[Parameter { name: "clocks", default: 3, min: 1, max: 1 << 32, meaning: "clocks that a reset lasts" }],
     design: |values| Ok(elaborate(&power_on_reset(values))?),
     scenario: |values| Ok(two_resets(&power_on_reset(values))),
+};
+
+pub(super) const RESET_SYNCHRONIZER: Entry = Entry {
+    name: "reset-synchronizer",
+    summary: "releases an asynchronous reset at an edge of its clock",
+    parameters: &[Parameter { name: "low", default: 1, min: 0, max: 1, meaning: "1 if the reset is active low" }],
+    design: |values| Ok(elaborate(&reset_synchronizer(values))?),
+    scenario: |values| Ok(a_release(&reset_synchronizer(values))),
 };
 
 pub(super) const TICKS: Entry = Entry {
@@ -153,6 +161,17 @@ fn two_resets(reset: &PowerOnReset) -> Scenario {
     script.clock(&PowerOnResetIn { again: 1 });
     script.hold(&PowerOnResetIn { again: 0 }, 5);
     script.finish("the reset after power-on, and one on request")
+}
+
+fn reset_synchronizer(values: &Values) -> ResetSynchronizer {
+    let reset = if values.get("low") == 1 { Reset::AsynchronousLow } else { Reset::Asynchronous };
+    ResetSynchronizer::new(Clock::new("board", DEFAULT_PERIOD).reset(reset))
+}
+
+fn a_release(synchronizer: &ResetSynchronizer) -> Scenario {
+    let mut script = Script::new(synchronizer, DEFAULT_PERIOD);
+    script.wait(5);
+    script.finish("the reset of the clock has been released")
 }
 
 fn ticks(values: &Values) -> Ticks {

@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use tilewright_blocks::*;
-use tilewright_sim::Simulation;
+use tilewright_hdl::{Clock, Period, Reset, elaborate};
+use tilewright_sim::{EngineKind, Simulation};
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
@@ -30,6 +31,73 @@ proptest! {
             clock = if restart { 0 } else { clock + 1 };
         }
     }
+
+    /// The reset comes and goes at any time; the output ends two edges after it.
+    #[test]
+    fn a_reset_ends_two_edges_after_its_own(steps in prop::collection::vec((any::<bool>(), 1..4u64), 1..40), low in any::<bool>()) {
+        let kind = if low { Reset::AsynchronousLow } else { Reset::Asynchronous };
+        let clock = Clock::new("board", Period::ns(20)).reset(kind);
+        let mut sim = Simulation::of(&ResetSynchronizer::new(clock)).unwrap().on(EngineKind::Both);
+        let (mut left, mut is_reset) = (2u64, false);
+        for (reset, edges) in steps {
+            if reset != is_reset {
+                sim.set_reset(clock, reset);
+                is_reset = reset;
+            }
+            for _ in 0..edges {
+                left = if is_reset { 2 } else { left };
+                prop_assert_eq!(sim.get_u64(sim.o.reset), u64::from(left > 0));
+                sim.step();
+                left = if is_reset { 2 } else { left.saturating_sub(1) };
+            }
+        }
+    }
+}
+
+#[test]
+fn a_reset_begins_at_once_and_ends_two_edges_later() {
+    let clock = Clock::new("board", Period::ns(20)).reset(Reset::AsynchronousLow);
+    let mut sim = Simulation::of(&ResetSynchronizer::new(clock)).unwrap();
+    let wave = sim.record(["reset_meta", "reset"]);
+    sim.run(3);
+    sim.set_reset(clock, true);
+    sim.run(2);
+    sim.set_reset(clock, false);
+    sim.run(3);
+    // Active from 60 ns to 100 ns.
+    wave.expect(
+        r"
+        board_clk  |___/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+        reset_meta |~~~\_______/~~~~~~~~~~~\________
+        reset      |~~~~~~~\___/~~~~~~~~~~~~~~~\____",
+    );
+}
+
+#[test]
+fn a_reset_synchronizer_is_left_alone_by_synthesizers() {
+    let clock = Clock::new("board", Period::ns(20)).reset(Reset::AsynchronousLow);
+    let design = elaborate(&ResetSynchronizer::new(clock)).unwrap();
+    let text = &tilewright_gen::verilog(&design)[0].text;
+    let expected = "    always @(posedge board_clk or negedge board_rst_n) begin
+        if (!board_rst_n) begin
+            reset_meta <= 1'b1;
+            reset <= 1'b1;
+        end else begin
+            reset_meta <= 1'b0;
+            reset <= reset_meta;
+        end
+    end
+";
+    assert!(text.contains(expected), "{text}");
+    assert_eq!(text.matches("(* ASYNC_REG = \"TRUE\" *)").count(), 2, "{text}");
+}
+
+#[test]
+#[should_panic(
+    expected = "clock `board` has no asynchronous reset to synchronize: declare it with `.reset(Reset::AsynchronousLow)`"
+)]
+fn a_reset_that_needs_no_synchronizer() {
+    ResetSynchronizer::new(Clock::new("board", Period::ns(20)));
 }
 
 /// On an FPGA the block may never be reset.

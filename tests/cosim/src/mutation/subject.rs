@@ -3,11 +3,11 @@
 use super::suite::{BLOCKS, Crate, RTL};
 use tilewright_blocks::{
     Arbiter, AxiLiteRegisters, BitOrder, Counter, Crc, Debouncer, Divider, DualClockFifo, DualClockRam, Fifo, Fork,
-    FromAxiStream, Lfsr, Multiplier, Narrow, PowerOnReset, Quadrature, Quantizer, Ram, RegisterSlice, Scan,
-    ShiftRegister, Shifter, SineCosine, Slice, SpiMaster, SquareRoot, Storage, Ticks, Ties, TmdsEncoder, ToAxiStream,
-    Turns, VectorRegisters, VideoTiming, Widen,
+    FromAxiStream, Lfsr, Multiplier, Narrow, PowerOnReset, Quadrature, Quantizer, Ram, RegisterSlice,
+    ResetSynchronizer, Scan, ShiftRegister, Shifter, SineCosine, Slice, SpiMaster, SquareRoot, Storage, Ticks, Ties,
+    TmdsEncoder, ToAxiStream, Turns, VectorRegisters, VideoTiming, Widen,
 };
-use tilewright_hdl::{Block, Clock, Design, Period, elaborate};
+use tilewright_hdl::{Block, Clock, Design, Period, Reset, elaborate};
 use tilewright_mutants::{Mutant, mutants};
 use tilewright_rtl::catalog::{ENTRIES, Entry};
 
@@ -98,6 +98,7 @@ fn blocks() -> Vec<Design> {
         design(&FromAxiStream { lanes: 3 }),
         design(&Quantizer { width: 8, places: 3, kept: 4, ties: Ties::Even }),
         design(&PowerOnReset::new(3)),
+        design(&ResetSynchronizer::new(Clock::new("board", Period::ns(4)).reset(Reset::Asynchronous))),
         design(&Ticks::new(5)),
         design(&Ram::new(5, 2)),
         design(&DualClockRam::new(5, 2, clocks[0], clocks[1])),
