@@ -159,11 +159,11 @@ fn a_trace_shows_the_level_of_the_port() {
     };
     let (low, changes) = text(Reset::AsynchronousLow);
     assert!(low);
-    // It is low from 20 ns, where the count goes back, to 40 ns.
+    // It is low from 20 ns, where the count goes back, and released halfway between two edges.
     assert_eq!(
         changes,
         " #0 $dumpvars b101 # 0! 1\" $end #10000 b110 # 1! #15000 0! #20000 b101 # 1! 0\" #25000 0! #30000 1! #35000 0! \
-         #40000 1! 1\" #45000 0! #50000 b110 # 1! #55000 0! #60000 "
+         #40000 1! #45000 0! 1\" #50000 b110 # 1! #55000 0! #60000 "
     );
     let (low, changes) = text(Reset::Synchronous);
     assert!(!low);

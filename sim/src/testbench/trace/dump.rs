@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
-use super::changes::{Changes, Id};
+use super::changes::Changes;
 use super::rows::Rows;
 use super::shown::Shown;
 use super::step_file::StepFile;
@@ -36,8 +36,8 @@ pub(crate) struct Dump {
     resets: Vec<bool>,
     /// The end time of the text.
     time: u64,
-    /// The clocks that fall in a step, and when; kept to avoid an allocation.
-    falls: Vec<(u64, Option<Id>)>,
+    /// When clocks fall in a step, and their indices; kept to avoid an allocation.
+    falls: Vec<(u64, usize)>,
     /// The text that has not gone to the file yet.
     text: Changes,
     flight: Option<Flight>,
@@ -127,7 +127,7 @@ impl Dump {
             self.begun = true;
         }
         self.time = at;
-        self.falls(at, until);
+        self.falls(at, until, resets);
         self.flush_much();
     }
 
@@ -144,27 +144,35 @@ impl Dump {
                 text.at(at);
                 text.bit(id, high);
             }
-            let reset = resets[index];
-            if let Some(id) = clock.reset_id.filter(|_| self.resets.get(index) != Some(&reset)) {
+            let before = self.resets.get(index).copied();
+            let reset = resets[index] || before == Some(true) && clock.releases_later(at);
+            if let Some(id) = clock.reset_id.filter(|_| before != Some(reset)) {
                 text.at(at);
-                text.bit(id, reset != clock.resets_low);
+                text.bit(id, clock.reset_level(reset));
+            }
+            match self.resets.get_mut(index) {
+                Some(shown) => *shown = reset,
+                None => self.resets.push(reset),
             }
         }
-        self.resets.clear();
-        self.resets.extend_from_slice(resets);
     }
 
-    /// Writes the clocks that are high at `since` and fall before `until`.
-    fn falls(&mut self, since: u64, until: u64) {
+    /// Writes the clocks that are high at `since` and fall before `until`, and the releases that waited for that.
+    fn falls(&mut self, since: u64, until: u64, resets: &[bool]) {
         let Dump { text, header, time, falls, .. } = self;
-        let falling = header.clocks.iter().filter_map(|clock| Some((clock.fall(since)?, clock.id)));
+        let falling = header.clocks.iter().enumerate();
+        let falling = falling.filter_map(|(index, clock)| Some((clock.fall(since)?, index)));
         falls.clear();
         falls.extend(falling.filter(|&(fall, _)| *time < fall && fall < until));
         // At one time, the sequence of the clocks remains.
         falls.sort_by_key(|fall| fall.0);
-        for &(fall, id) in &*falls {
+        for &(fall, index) in &*falls {
+            let clock = &header.clocks[index];
             text.at(fall);
-            id.into_iter().for_each(|id| text.bit(id, false));
+            clock.id.into_iter().for_each(|id| text.bit(id, false));
+            if std::mem::replace(&mut self.resets[index], resets[index]) != resets[index] {
+                clock.reset_id.into_iter().for_each(|id| text.bit(id, clock.reset_level(resets[index])));
+            }
             *time = fall;
         }
     }

@@ -40,7 +40,7 @@ pub(crate) struct View<'a> {
     pub until: u64,
     /// The clocks that rise at the coming instant.
     pub rising: &'a [usize],
-    /// Which resets are high, by clock.
+    /// Which resets are active, by clock.
     pub resets: &'a [bool],
     /// What may have changed since the last sample.
     pub changed: Triggers,

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::io;
 
+use tilewright_hdl::Reset;
 use tilewright_hdl::ir::Names;
 use vcd::{IdCode, ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
 
@@ -42,14 +43,24 @@ pub(crate) struct Clock {
     period: u64,
     pub id: Option<Id>,
     pub reset_id: Option<Id>,
-    /// The reset port is low while it resets.
-    pub resets_low: bool,
+    kind: Reset,
 }
 
 impl Clock {
     /// Its level from this time on.
     pub fn is_high(&self, time: u64) -> bool {
         time >= self.period && time % self.period < self.period / 2
+    }
+
+    /// The level of its reset port.
+    pub fn reset_level(&self, is_active: bool) -> bool {
+        is_active != self.kind.is_active_low()
+    }
+
+    /// Whether its reset, released after the instant at this time, is shown to end later, when the clock falls: a
+    /// reader cannot tell whether an asynchronous one that ends just at an edge still resets there.
+    pub fn releases_later(&self, time: u64) -> bool {
+        self.kind.is_asynchronous() && time > 0 && time.is_multiple_of(self.period)
     }
 
     /// The time at which it falls, if it is high at this time.
@@ -76,7 +87,7 @@ pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result
         period: clock.period,
         id: None,
         reset_id: None,
-        resets_low: clock.kind.is_active_low(),
+        kind: clock.kind,
     };
     build.header.clocks = program.clocks.iter().map(clock).collect();
     build.write().expect("writing to memory does not fail");
