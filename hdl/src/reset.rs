@@ -98,9 +98,9 @@ impl Reset {
     pub(crate) fn words(self) -> &'static str {
         match self {
             Reset::Synchronous => "a synchronous reset",
-            Reset::SynchronousLow => "a synchronous reset, active low",
+            Reset::SynchronousLow => "an active-low synchronous reset",
             Reset::Asynchronous => "an asynchronous reset",
-            Reset::AsynchronousLow => "an asynchronous reset, active low",
+            Reset::AsynchronousLow => "an active-low asynchronous reset",
             Reset::PowerOn => "no reset",
         }
     }

@@ -12,6 +12,7 @@ pub mod mistakes;
 pub mod nearer;
 pub mod operations;
 pub mod renderer;
+pub mod resets;
 pub mod response;
 pub mod simd;
 pub mod solutions;

@@ -284,7 +284,7 @@ fn a_clock_resets_in_one_way() {
             let on = m.on(FAST).pipe("on", i.a.quasi_static("a test"));
             m.on(OTHER).pipe("other", on)
         },
-        "clock `fast` has an asynchronous reset, active low here and a synchronous reset elsewhere [T809]
+        "clock `fast` has an active-low asynchronous reset here and a synchronous reset elsewhere [T809]
          --> [m.on(OTHER).pipe(\"other\", on)]
          `fast` is first used at [let on = m.on(FAST).pipe(\"on\", i.a.quasi_static(\"a test\"));]
          help: a clock resets in one way in the whole design",
