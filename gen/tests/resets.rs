@@ -69,6 +69,29 @@ fn without_a_reset_its_values_are_those_at_power_on() {
     assert_eq!(line(&text, "initial ring"), "initial ring = ring_reset[3:0];");
 }
 
+#[test]
+fn a_value_that_nothing_takes_is_not_printed() {
+    block! {
+        /// Lanes with values at power-on and after a reset.
+        struct Both;
+        out BothOut { all: bits(12) }
+    }
+    impl Both {
+        fn build(&self, m: Module, _: ()) -> BothOut {
+            def!(ring = m.reg(bits(4).of(row(3))).initial(1).reset_each([7, 8, 9]));
+            ring.next(ring.previous(ring.last()));
+            BothOut { all: ring.pack() }
+        }
+    }
+    let text = |reset| {
+        let design = elaborate_at(&Both, DefaultClock::new(DEFAULT_PERIOD).reset(reset)).unwrap();
+        verilog(&design)[0].text.clone()
+    };
+    assert!(text(Reset::Asynchronous).contains("ring_reset"));
+    let text = text(Reset::PowerOn);
+    assert!(text.contains("initial ring = 4'd1;") && !text.contains("ring_reset"), "{text}");
+}
+
 /// The recorded steps of a run, with the reset active at the second and third.
 fn run(reset: Reset) -> Recording {
     let step = |(time, (resets, [count, late, all, way])): (u64, (bool, [u64; 4]))| Step {

@@ -1,10 +1,11 @@
 //! A random design: one that is described in the language, a circuit with shapes, or a network of streams.
 
+use crate::features::Feature;
 use crate::spec::{Spec, Stimulus};
 use crate::{build, shaped, strategy, streams};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use tilewright_hdl::{Design, Problems, elaborate};
+use tilewright_hdl::{DEFAULT_PERIOD, DefaultClock, Design, Problems, Reset, elaborate_at};
 
 /// A random design, as plain data that shrinks.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -62,6 +63,19 @@ impl Kind {
     }
 }
 
+/// The design with the kind of reset in the names of the library's modules. The kind of a top's own clock is in no name,
+/// and several designs go to one run of another simulator.
+fn with_own_library(design: Design, name: &str, reset: Reset) -> Result<Design, Problems> {
+    if reset == Reset::Synchronous {
+        return Ok(design);
+    }
+    let mut modules = design.into_modules();
+    for module in modules.iter_mut().filter(|module| !module.name.starts_with(&format!("{name}_"))) {
+        module.name += &format!("_under_{reset:?}").to_lowercase();
+    }
+    Design::new(modules)
+}
+
 impl Drawn {
     /// The design, as the one of that number.
     ///
@@ -70,8 +84,13 @@ impl Drawn {
     /// The rules that it breaks, which is a mistake of this crate or of the language.
     pub fn design(&self, number: u64) -> Result<Design, Problems> {
         let name = format!("d{number}");
+        let [own, _] = self.stimulus().resets();
+        Feature::from(own).used();
         match self {
-            Drawn::Described(spec) => elaborate(&build::top(spec, &name)),
+            Drawn::Described(spec) => {
+                let clock = DefaultClock::new(DEFAULT_PERIOD).reset(own);
+                with_own_library(elaborate_at(&build::top(spec, &name), clock)?, &name, own)
+            }
             Drawn::Shaped(spec) => shaped::design(spec, &name),
             Drawn::Streams(spec) => streams::design(spec, &name),
         }

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
+use tilewright_hdl::Reset;
 
 macro_rules! features {
     ($($name:ident)*) => {
@@ -30,6 +31,7 @@ features! {
     CrossByFifo StreamStages ForkToMany SplitToMany ArbiterOfMany CodeInAStream SignedInAStream
     Counter ShiftRegister Lfsr Encoders Shifter Multiplier Crc
     Enabled Displayed WriteFirst Foreign
+    Synchronous SynchronousLow Asynchronous AsynchronousLow PowerOn
     InitialInShapes UpdatesInShapes RecordInShapes CoverInShapes PastInShapes
 }
 
@@ -41,6 +43,18 @@ impl Feature {
     /// Notes that the design that is being built uses it.
     pub fn used(self) {
         USED.with_borrow_mut(|used| used.insert(self));
+    }
+}
+
+impl From<Reset> for Feature {
+    fn from(reset: Reset) -> Feature {
+        match reset {
+            Reset::Synchronous => Feature::Synchronous,
+            Reset::SynchronousLow => Feature::SynchronousLow,
+            Reset::Asynchronous => Feature::Asynchronous,
+            Reset::AsynchronousLow => Feature::AsynchronousLow,
+            Reset::PowerOn => Feature::PowerOn,
+        }
     }
 }
 

@@ -13,13 +13,14 @@ mod instances;
 mod lanes;
 mod stores;
 
+use crate::stimulus::Numbers;
 pub use control::{Ask, Coded, Exits, Machine};
 pub use form::{Form, Meaning};
 pub use instances::{Declared, Feed, Gather, Library, LibraryBlock};
 pub use lanes::{End, LaneWork, Work};
 pub use stores::{Contents, InParts, Memory, Read, Records, Rom, Write};
-use tilewright_hdl::Radix;
 use tilewright_hdl::ir::{Relation, Shift};
+use tilewright_hdl::{Radix, Reset};
 
 /// The widest value that a step makes, in bits.
 pub const WIDEST: u32 = 280;
@@ -45,8 +46,16 @@ pub struct Spec {
 pub struct Stimulus {
     /// The instants simulated.
     pub steps: u8,
-    /// The seed of the values.
+    /// The seed of the values, and of the kinds of reset.
     pub seed: u64,
+}
+
+impl Stimulus {
+    /// How the own clock and the second one reset.
+    pub fn resets(&self) -> [Reset; 2] {
+        let mut numbers = Numbers(self.seed ^ 0x7265_7365_7473);
+        [(), ()].map(|()| Reset::ALL[numbers.draw() as usize % Reset::ALL.len()])
+    }
 }
 
 /// A module.

@@ -47,7 +47,7 @@ impl Numbers {
     }
 }
 
-/// The recorded run of a design under a random stimulus, on both engines; resets are given at random, and it ends where
+/// The recorded run of a design under a random stimulus, on both engines; all resets and single ones are given at random, and it ends where
 /// an assertion fails. A run with other passes has to show the same.
 ///
 /// # Errors
@@ -121,6 +121,8 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
         sim = sim.seeded(stimulus.seed | 1);
     }
     let (recording, messages) = (sim.recording(), sim.messages());
+    let resets = top.clocks.iter().filter(|clock| clock.reset.is_some()).map(|clock| clock.port.as_str());
+    let mut resets: Vec<(&str, bool)> = resets.map(|clock| (clock, false)).collect();
     let mut fails = false;
     for _ in 0..stimulus.steps {
         for (port, node) in &inputs {
@@ -129,7 +131,17 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
                 sim.set(*port, numbers.lanes(node));
             }
         }
-        let done = if numbers.draw().is_multiple_of(12) { sim.try_reset() } else { sim.try_step() };
+        if numbers.draw().is_multiple_of(16) && !resets.is_empty() {
+            let clock = numbers.draw() as usize % resets.len();
+            let (clock, active) = &mut resets[clock];
+            *active = !*active;
+            sim.set_reset(*clock, *active);
+        }
+        let resets_all = numbers.draw().is_multiple_of(12);
+        if resets_all {
+            resets.iter_mut().for_each(|(_, active)| *active = false);
+        }
+        let done = if resets_all { sim.try_reset() } else { sim.try_step() };
         match done {
             Err(tilewright_sim::Error::Violated(_)) => {
                 fails = true;

@@ -6,7 +6,10 @@ use crate::features::Feature;
 use crate::spec::Stimulus;
 use proptest::prelude::*;
 use tilewright_blocks::{Slice, StreamBlocks, StreamIn, StreamOut, Turns};
-use tilewright_hdl::{Clock, Design, Module, Period, Problems, Stream, Width, bits, block, elaborate, stream};
+use tilewright_hdl::{
+    Clock, DEFAULT_PERIOD, DefaultClock, Design, Module, Period, Problems, Stream, Width, bits, block, elaborate_at,
+    stream,
+};
 
 /// A network, and what is done to it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -108,9 +111,12 @@ pub fn designs() -> impl Strategy<Value = Spec> {
 /// The rules that it breaks, which is a mistake of the library or of the language.
 pub fn design(spec: &Spec, name: &str) -> Result<Design, Problems> {
     let clocks = spec.second_period.map(|period| [("first", 10_000), ("second", period)]);
-    let clocks = clocks.map(|clocks| clocks.map(|(name, period)| Clock::new(name, Period::ps(period))));
+    let [own, second] = spec.stimulus.resets();
+    let clocks = clocks.map(|[first, other]| {
+        [(first, own), (other, second)].map(|((name, period), reset)| Clock::new(name, Period::ps(period)).reset(reset))
+    });
     let network = Network { width: spec.width, steps: spec.steps.clone(), clocks };
-    let mut modules = elaborate(&network)?.into_modules();
+    let mut modules = elaborate_at(&network, DefaultClock::new(DEFAULT_PERIOD).reset(own))?.into_modules();
     modules.iter_mut().for_each(|module| module.name = format!("{name}_{}", module.name));
     modules.last_mut().expect("there is a top").name = name.to_owned();
     Design::new(modules)

@@ -179,7 +179,13 @@ impl Lower<'_> {
 
     fn resets(&mut self) -> Vec<Option<NodeId>> {
         let registers = self.module.registers.clone();
-        registers.iter().map(|register| self.reset(register.node, register.reset.as_ref()?)).collect()
+        let resets = registers.iter().map(|register| {
+            // Without a reset, a register with a value at power-on never takes the other one.
+            let has_reset = self.module.clocks[register.clock.0 as usize].kind.has_port();
+            let reset = register.reset.as_ref().filter(|_| has_reset || register.initial.is_none())?;
+            self.reset(register.node, reset)
+        });
+        resets.collect()
     }
 
     /// The constants of the lanes, if they differ.

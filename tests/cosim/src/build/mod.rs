@@ -112,7 +112,8 @@ impl PartBlock {
     }
 
     fn second(&self) -> Option<Clock> {
-        self.spec.second_period.map(|period| Clock::new("second", Period::ps(period)))
+        let [_, reset] = self.spec.stimulus.resets();
+        self.spec.second_period.map(|period| Clock::new("second", Period::ps(period)).reset(reset))
     }
 
     /// The clock's place in the bundles.

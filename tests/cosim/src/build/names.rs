@@ -163,7 +163,8 @@ impl Namer {
         let all: Vec<&str> = VERILOG_WORDS.iter().chain(WORDS).copied().collect();
         let mut words: Vec<String> = (0..6).map(|_| all[words.draw() as usize % all.len()].to_owned()).collect();
         words.push(module.to_owned());
-        let taken = ["clk", "rst", "second_clk", "second_rst", "beat"].map(str::to_owned).into();
+        let taken =
+            ["clk", "rst", "rst_n", "second_clk", "second_rst", "second_rst_n", "beat"].map(str::to_owned).into();
         let numbers = (seed != 0).then(|| Numbers(seed.wrapping_add(index as u64 + 1)));
         Namer { numbers, words, taken, is_inner }
     }

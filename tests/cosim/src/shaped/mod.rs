@@ -5,7 +5,8 @@ pub mod spec;
 pub mod strategy;
 
 pub use spec::Spec;
-use tilewright_hdl::{Design, Problems};
+use tilewright_hdl::ir::Module;
+use tilewright_hdl::{Design, Problems, Reset};
 
 /// The design of a description, whose top has this name.
 ///
@@ -13,5 +14,19 @@ use tilewright_hdl::{Design, Problems};
 ///
 /// The rules that it breaks, which is a mistake of this crate.
 pub fn design(spec: &Spec, name: &str) -> Result<Design, Problems> {
-    Design::new(build::modules(spec, name))
+    let mut modules = build::modules(spec, name);
+    // An instance's own clock may be either of its parent's, so both are of one kind.
+    let [kind, _] = spec.stimulus.resets();
+    modules.iter_mut().for_each(|module| set_resets(module, kind));
+    Design::new(modules)
+}
+
+/// Lets the clocks of a module, which have synchronous resets, reset in this way.
+fn set_resets(module: &mut Module, kind: Reset) {
+    for clock in module.clocks.iter_mut().filter(|clock| clock.reset.is_some()) {
+        clock.kind = kind;
+        clock.reset = clock.reset.take().filter(|_| kind.has_port());
+        let low = if kind.is_active_low() { "_n" } else { "" };
+        clock.reset.iter_mut().for_each(|port| *port += low);
+    }
 }

@@ -71,6 +71,7 @@ impl<'a> Builder<'a> {
             reset: Some("second_rst".to_owned()),
             period: Some(Period::ps(period)),
             name: Some("second"),
+            kind: tilewright_hdl::Reset::Synchronous,
         }));
         let mut shapes = vec![Shape::Plain];
         for &shape in &part.shapes {
