@@ -108,7 +108,8 @@ fn find_resets(draft: &Draft, done: &[Module], depends: &[bool]) -> Vec<Option<R
     for instance in &draft.instances {
         let (child, depends) = (&done[instance.module.0 as usize], depends[instance.module.0 as usize]);
         for (clock, driver) in child.clocks.iter().zip(&instance.clocks) {
-            if clock.reset.is_some() || depends && clock.name.is_none() {
+            let is_reset = clock.reset.is_some() || clock.kind == Reset::PowerOn;
+            if is_reset || depends && clock.name.is_none() {
                 needs(*driver);
             }
         }

@@ -103,3 +103,32 @@ fn a_clock_among_the_parameters_is_in_the_name_of_a_module_by_its_own_name() {
     let shown = "Timed { clock: Clock { name: \"video\", period: Period(40000), reset: AsynchronousLow } }";
     assert_eq!(design.top().parameters, shown);
 }
+
+#[test]
+fn a_clock_that_only_an_instance_resets_is_of_that_kind_in_the_top() {
+    const BOARD: Clock = Clock::new("board", Period::ns(4)).reset(Reset::PowerOn);
+    block! {
+        /// Counts.
+        struct Inner;
+        out InnerOut { count: bits(4) }
+    }
+    impl Inner {
+        fn build(&self, m: Module, _: ()) -> InnerOut {
+            def!(count = m.on(BOARD).reg(4).reset(3));
+            count.next(count + 1);
+            InnerOut { count: *count }
+        }
+    }
+    block! {
+        /// Has a counter.
+        struct Outer;
+        out OuterOut { count: bits(4) }
+    }
+    impl Outer {
+        fn build(&self, m: Module, _: ()) -> OuterOut {
+            OuterOut { count: m.instance("u_inner", &Inner, ()).count }
+        }
+    }
+    let design = elaborate(&Outer).unwrap();
+    assert_eq!((design.top().clocks[0].kind, &design.top().clocks[0].reset), (Reset::PowerOn, &None));
+}

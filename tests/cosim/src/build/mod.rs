@@ -160,10 +160,13 @@ impl Block for PartBlock {
         format!("{self:?}")
     }
 
-    /// Some parts are models of foreign modules, with ports of other names.
+    /// Some parts are models of foreign modules, with ports of other names. None is where an instance is enabled, as
+    /// no enable reaches a foreign module.
     fn foreign(&self) -> Option<Foreign> {
         let is_top = self.index + 1 == self.spec.parts.len();
-        if is_top || self.part().steps.len() % 3 != 1 {
+        let mut steps = self.spec.parts.iter().flat_map(|part| &part.steps);
+        let has_parts = |make: &Make| matches!(make, Make::Instance { .. } | Make::Array { .. });
+        if is_top || self.part().steps.len() % 3 != 1 || steps.any(|it| it.enabled.is_some() && has_parts(&it.make)) {
             return None;
         }
         Feature::Foreign.used();
