@@ -50,7 +50,7 @@ fn registers_with_a_reset_wait_for_it_and_others_do_not() {
         (Reset::AsynchronousLow, "posedge clk or negedge rst_n", "if (!rst_n) ", "rst_n && "),
     ] {
         let text = text(reset);
-        let port = reset.is_active_low().then_some("rst_n").unwrap_or("rst");
+        let port = if reset.is_active_low() { "rst_n" } else { "rst" };
         assert!(text.contains(&format!("    input  wire        {port},\n")), "{text}");
         assert!(text.contains(&format!("always @({events}) begin\n        {condition}count <= 4'd9;\n")), "{text}");
         assert!(text.contains("always @(posedge clk) begin\n        late <= count;\n"), "{text}");
