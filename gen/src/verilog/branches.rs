@@ -61,7 +61,7 @@ impl Printer<'_> {
         if self.keeps(target, id) {
             return Vec::new();
         }
-        let value = self.state_text(id, target.states).unwrap_or_else(|| self.value(id));
+        let value = self.state_text(id, target.states).unwrap_or_else(|| self.assigned(id));
         vec![target.take(&value)]
     }
 

@@ -15,6 +15,15 @@ impl Printer<'_> {
         self.value_as(id, Style::Count)
     }
 
+    /// A value that is assigned: a negative constant has its sign. Elsewhere, as in an index, the sign would count.
+    pub fn assigned(&mut self, id: NodeId) -> String {
+        let of = self.printed(id);
+        match (&self.module.node(of).op, self.plan.form(of)) {
+            (Op::Const(value), Form::Inline) => number(value, self.module.node(of).kind, Style::Count),
+            _ => self.value(id),
+        }
+    }
+
     fn value_as(&mut self, id: NodeId, style: Style) -> String {
         match self.plan.form(id) {
             Form::Declared | Form::Net | Form::Block | Form::Constants => self.part(id, 0, self.module.width(id)),
@@ -27,7 +36,7 @@ impl Printer<'_> {
         let module = self.module;
         let node = module.node(id);
         match &node.op {
-            Op::Const(value) => number(value, node.kind, style),
+            Op::Const(value) => literal(value, style),
             Op::Unary(unary, a) => self.unary(*unary, *a),
             Op::Binary(binary, a, b) => self.binary(*binary, *a, *b, node.width),
             Op::Compare { relation, signed, operands } => self.compare(*relation, *signed, *operands),
@@ -194,9 +203,7 @@ impl Printer<'_> {
 
     /// An operand of a comparison: a constant that is compared with a state is printed by the state's name.
     fn state_or_operand(&mut self, id: NodeId, other: NodeId) -> String {
-        // A pattern has no minus.
-        let style = if self.is_negative(id) { Style::Pattern } else { Style::Count };
-        self.state_text(id, self.states.of(other)).unwrap_or_else(|| self.operand(id, style))
+        self.state_text(id, self.states.of(other)).unwrap_or_else(|| self.operand(id, Style::Count))
     }
 
     /// The state's name for a constant where a state of that enum is expected.
@@ -269,7 +276,7 @@ impl Printer<'_> {
     }
 }
 
-/// A constant of this kind. Beside operands without a sign, which are as wide, the sign is only for the reader.
+/// A constant of this kind; a negative one has its sign.
 pub fn number(value: &Bits, kind: Kind, style: Style) -> String {
     let is_negative = kind == Kind::Signed && style == Style::Count && value.bit(value.width() - 1);
     literal::signed(value).filter(|_| is_negative).unwrap_or_else(|| literal(value, style))
