@@ -1,6 +1,7 @@
 //! The name of a net by what it is, if its operands have names: `step_is_idle`, `count_plus_1`, `hits_any`.
 
 use super::names::combined;
+use super::states::screaming;
 use tilewright_hdl::ir::{Binary, Design, Kind, Module, NodeId, Op, Relation, Unary};
 use tilewright_hdl::{Bits, Radix};
 
@@ -81,7 +82,7 @@ impl Operands<'_> {
 fn constant(module: &Module, beside: NodeId, id: NodeId) -> Option<String> {
     let Op::Const(value) = &module.node(id).op else { return None };
     if let Kind::Code(names) = module.node(beside).kind {
-        return Some(snake_case(names.name(value.to_u64()?)?));
+        return Some(screaming(&[names.name(value.to_u64()?)?]).to_lowercase());
     }
     let is_negative = module.node(id).kind == Kind::Signed && value.bit(value.width() - 1);
     (value.radix() == Radix::Any && !is_negative).then(|| small(value))?
@@ -89,19 +90,6 @@ fn constant(module: &Module, beside: NodeId, id: NodeId) -> Option<String> {
 
 fn small(value: &Bits) -> Option<String> {
     value.to_u64().filter(|number| *number < 10_000).map(|number| number.to_string())
-}
-
-fn snake_case(name: &str) -> String {
-    let mut snake = String::new();
-    let mut previous = '_';
-    for c in name.chars() {
-        if c.is_uppercase() && (previous.is_lowercase() || previous.is_ascii_digit()) {
-            snake.push('_');
-        }
-        snake.extend(c.to_lowercase());
-        previous = c;
-    }
-    snake
 }
 
 fn word(op: Binary) -> &'static str {

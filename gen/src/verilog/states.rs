@@ -96,7 +96,7 @@ impl Enum {
 }
 
 /// `CamelCase` words as `CAMEL_CASE`, joined by `_`.
-fn screaming(words: &[&str]) -> String {
+pub fn screaming(words: &[&str]) -> String {
     let mut out = String::new();
     for word in words {
         let mut before = '_';
