@@ -14,8 +14,8 @@ use std::fmt;
 pub struct Period(u64);
 
 impl Period {
-    /// A period in picoseconds. It must be even, because the clock is high for half of it. A clock's period is at
-    /// most 2^50 ps, 18 minutes.
+    /// A period in picoseconds. The number must be even, because the clock is high for half of the period. A clock's
+    /// period is at most 2^50 ps, 18 minutes.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -75,8 +75,8 @@ impl fmt::Display for Period {
 
 /// A named clock of a design. The name is the same in every module that uses the clock.
 ///
-/// A block with one clock never mentions it: the block runs on the clock of the place where it is instantiated. A
-/// block with several clocks has them among its parameters and uses [`Module::on`](crate::Module::on).
+/// A block with one clock never mentions the clock. It runs on the clock of the place where it is instantiated. A block
+/// with several clocks has them among its parameters, and uses [`Module::on`](crate::Module::on).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -110,7 +110,7 @@ pub struct Clock {
     pub reset: Reset,
 }
 
-/// The reset is shown unless it is the usual one: the text is a part of modules' names and headers.
+/// Shows the reset unless it is the usual one. The text is a part of modules' names and headers.
 impl fmt::Debug for Clock {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let mut text = f.debug_struct("Clock");
@@ -168,7 +168,8 @@ impl Clock {
     }
 }
 
-/// The clock of a top that names none: its period and its kind of reset. Where one is wanted, a [`Period`] will do.
+/// The clock of a top that names none: its period and its kind of reset. A [`Period`] is accepted wherever a
+/// `DefaultClock` is.
 ///
 /// ```
 /// # use tilewright_hdl::*;

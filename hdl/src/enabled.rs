@@ -1,4 +1,4 @@
-//! Enabled parts of a module: what is clocked in one keeps its state where the part's enable is low.
+//! Enabled parts of a module: clocked elements in such a part keep their state where its enable is low.
 
 use crate::draft::Draft;
 use crate::elaboration::{self, Elaboration};
@@ -26,18 +26,18 @@ pub(crate) struct EnabledPart {
     pub clock: ClockId,
     pub enable: NodeId,
     pub loc: Loc,
-    /// Whether something in it runs on its clock. Known when the description has ended.
+    /// Whether something in the part runs on its clock. Known when the description has ended.
     pub reaches: bool,
 }
 
 impl Module {
-    /// Everything on this handle's clock that `describe` declares keeps its state where `enable`, 1 bit, is low:
-    /// registers, the data of synchronous reads, memories, and all of these within instances. It runs as if its clock
-    /// rose only where `enable` is high. So assertions, covers and [past values](Module::past) also count only these
-    /// edges. A reset does not wait for the enable. Parts nest: then both enables must be high.
+    /// Everything on this handle's clock that `describe` declares keeps its state where `enable`, 1 bit, is low. This
+    /// means registers, the data of synchronous reads, memories, and all of these within instances. They run as if
+    /// their clock rose only where `enable` is high. So assertions, covers and [past values](Module::past) also count
+    /// only these edges. A reset does not wait for the enable. Parts nest: then both enables must be high.
     ///
-    /// A block within is a module of its own, `counter_enabled`, with the enable as its last input, `clk_en`. What
-    /// runs on other clocks is not affected; `m.on(clock).enabled(..)` is for those.
+    /// A block within the part is a module of its own, `counter_enabled`, with the enable as its last input, `clk_en`.
+    /// Logic on other clocks is not affected. For those clocks, use `m.on(clock).enabled(..)`.
     ///
     /// An enable with lanes enables registers, memories and arrays of its shape, lane by lane.
     ///
@@ -97,7 +97,7 @@ impl Module {
 }
 
 impl Draft {
-    /// A part and those around it, from the inside out.
+    /// A part and the parts around it, from the inside out.
     fn parts_from(&self, part: Option<PartId>) -> impl Iterator<Item = &EnabledPart> {
         let at = |id: PartId| &self.parts[id.0 as usize];
         std::iter::successors(part.map(at), move |part| part.outer.map(at))
@@ -110,8 +110,8 @@ impl Draft {
     }
 }
 
-/// Ends the description of the innermost draft: declares an input for each clock that is gated from outside and in
-/// use, and returns the names of these clocks.
+/// Ends the description of the innermost draft. Declares an input for each clock that is gated from outside and in use,
+/// and returns the names of these clocks.
 pub(crate) fn declare_inputs(e: &mut Elaboration, outputs: &[(String, Signal)]) -> Vec<Option<&'static str>> {
     find_reach(e);
     let draft = e.draft();
@@ -195,7 +195,7 @@ pub(crate) fn module_name(name: String, clocks: &[Option<&'static str>]) -> Stri
     }
 }
 
-/// Describes the inputs that enable what is clocked.
+/// Describes the inputs that are enables of clocks.
 pub(crate) fn document(draft: &Draft, about: &mut About) {
     for (_, input) in &draft.enables {
         let name = draft.describe(*input);

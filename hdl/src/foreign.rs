@@ -1,4 +1,4 @@
-//! Foreign modules: what Verilog has of a block that is a module of somebody else.
+//! Foreign modules: blocks that Verilog instantiates as modules of somebody else.
 
 use crate::clock::Clock;
 use crate::data::Layout;
@@ -10,11 +10,11 @@ use crate::module::{Module, port_name};
 use crate::signal::Signal;
 
 impl Foreign {
-    /// The Verilog module of this name, such as `SB_PLL40_CORE`. In [`block!`](crate::block!) it is the clause
-    /// `foreign`: the block's ports are those of the module, and the block's `build` is a model of it.
+    /// The Verilog module of this name, such as `SB_PLL40_CORE`. [`block!`](crate::block!) has the clause `foreign` for
+    /// this module. The block's ports are those of the module, and the block's `build` is a model of the module.
     ///
-    /// In simulation the model stands for the module. Verilog has an instance of the module with its parameters, or
-    /// one of the model if the macro `TILEWRIGHT_MODELS` is defined.
+    /// In simulation the model stands for the module. Verilog has an instance of the module with its parameters. If the
+    /// macro `TILEWRIGHT_MODELS` is defined, it has an instance of the model instead.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -93,8 +93,8 @@ impl Foreign {
         Foreign { capitals: true, ..self }
     }
 
-    /// The module's name for a port of the block. The elements of a list have this name and their number: `A0`, `A1`
-    /// for the list `a` if `name` is `A`.
+    /// The module's name for a port of the block. Each element of a list has this name with the element's number: `A0`,
+    /// `A1` for the list `a` if `name` is `A`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -193,8 +193,9 @@ impl Foreign {
         self
     }
 
-    /// The module makes this clock at an output, as a PLL does. It is instantiated in the top of the design, which then
-    /// has no port for the clock. In simulation the clock has the period of its declaration, whatever the model does.
+    /// The module makes this clock at an output, as a PLL does. The module is instantiated in the top of the design,
+    /// which then has no port for the clock. In simulation the clock has the period of its declaration, whatever the
+    /// model does.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -268,8 +269,8 @@ fn of_clock(ports: &[(Option<Clock>, String)], clock: Option<Clock>) -> Option<&
 }
 
 impl Module {
-    /// The `build` of a foreign module that has no model. The module cannot be simulated, and its outputs count as
-    /// constants in the checks of clocks and loops. The widths of the outputs are given here.
+    /// The `build` of a foreign module that has no model. The module cannot be simulated. The checks of clocks and
+    /// loops treat its outputs as constants. The call gives the widths of the outputs.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -17,7 +17,7 @@ pub(crate) struct Renamed {
     pub outer: Option<Clock>,
 }
 
-/// The module's own clock runs in place of this one, so it must have its period.
+/// The module's own clock runs in place of this one, so both must have the same period.
 #[derive(Clone, Copy)]
 pub(crate) struct OwnPeriod {
     pub of: Clock,
@@ -25,11 +25,11 @@ pub(crate) struct OwnPeriod {
 }
 
 impl Module {
-    /// Within `describe`, this handle's clock runs in place of `clock`: whatever names `clock` there is on this one,
-    /// `m.on(clock)` and the clocks of that name in instances. So a block that names its clocks runs on others. Both
-    /// have the same period, because a block may rely on the period of its clocks.
+    /// Within `describe`, this handle's clock runs in place of `clock`. It replaces `clock` in `m.on(clock)`, and the
+    /// clocks of that name in instances. So a block that names its clocks runs on others. Both clocks must have the
+    /// same period, because a block may rely on the period of its clocks.
     ///
-    /// A block of one clock needs none of this: it runs on the clock of the handle that instantiates it.
+    /// A block of one clock needs none of this, because it runs on the clock of the handle that instantiates it.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -83,8 +83,8 @@ impl Module {
         result
     }
 
-    /// The clock of this module that drives a child's clock: this handle's for the child's own clock, otherwise the
-    /// clock of the same name, or the one in its place.
+    /// The clock of this module that drives a child's clock. For the child's own clock it is this handle's, otherwise
+    /// the clock of the same name, or the one in its place.
     pub(crate) fn bind(self, e: &mut Elaboration, clock: &ir::Clock) -> ir::ClockId {
         let of: Option<Clock> = clock.name.map(|name| e.clocks[name].0);
         let draft = e.draft();
@@ -92,7 +92,8 @@ impl Module {
         draft.use_clock(clock)
     }
 
-    /// Checks the period of the clock that an instance of `child` is given, if it runs in place of another one there.
+    /// Checks the period of the clock that drives an instance of `child`, if that clock runs in place of another one
+    /// there.
     pub(crate) fn check_own_periods(self, e: &mut Elaboration, child: ir::ModuleId, loc: Loc) {
         for needed in e.own_periods[child.0 as usize].clone() {
             match self.clock {
@@ -111,7 +112,7 @@ impl Draft {
     }
 }
 
-/// Checks the period of the design's default clock, if it runs in place of another one.
+/// Checks the period of the design's default clock, if that clock runs in place of another one.
 pub(crate) fn check_default(e: &mut Elaboration, clock: DefaultClock) {
     for needed in e.own_periods.last().cloned().unwrap_or_default() {
         check(e, needed, "the default clock".to_owned(), clock, None);

@@ -8,8 +8,8 @@ use crate::signal::Signal;
 use crate::width::{Width, bit, bits};
 
 crate::record! {
-    /// What the outside of a pad does in simulation: an input of the top, such as `sda: Outside::widths(1)`. On the
-    /// chip, the pad is an `inout` port of that name.
+    /// What the outside of a pad does in simulation. It is an input of the top, such as `sda: Outside::widths(1)`. On
+    /// the chip, the pad is an `inout` port of that name.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -17,9 +17,9 @@ crate::record! {
     /// assert_eq!((outside.value.bits(), outside.drives.bits()), (16, 1));
     /// ```
     pub struct Outside(width: u32) {
-        /// The value that it drives.
+        /// The value that the outside drives.
         value: bits(width),
-        /// It drives the value; otherwise it has released the line.
+        /// High while the outside drives the value. Low when it has released the line.
         drives: bit(),
     }
 
@@ -32,7 +32,7 @@ crate::record! {
     pub struct PadIn(width: u32) {
         /// The value that the chip drives.
         out: bits(width),
-        /// The chip drives the value.
+        /// High while the chip drives the value.
         enable: bit(),
         /// The other side, which is an input of the top.
         outside: Outside::widths(width),
@@ -51,7 +51,7 @@ crate::record! {
 }
 
 impl PadIn {
-    /// An open drain: the chip pulls the line low, or leaves it alone. A [pull-up](Pad::pull_up) makes it high.
+    /// An open drain: the chip pulls the line low, or leaves it alone. A [pull-up](Pad::pull_up) makes the line high.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -80,12 +80,12 @@ impl PadIn {
     }
 }
 
-/// A pad: a pin, or some pins, of a chip that is driven from both sides, such as the data bus of a memory. In Verilog it
-/// is an `inout` port of the top, in which all pads are instantiated.
+/// A pad: one or more pins of a chip that are driven from both sides, such as the data bus of a memory. In Verilog a
+/// pad is an `inout` port of the top, in which all pads are instantiated.
 ///
-/// In simulation, and in Verilog if the macro `TILEWRIGHT_MODELS` is defined, the top has inputs for what the
-/// [`Outside`] does. `line` shows what the chip drives if it does, else what the outside drives, else what the line
-/// is pulled to. An assertion fails if both sides drive and differ.
+/// In simulation, the top has inputs for what the [`Outside`] does. Verilog has them, too, if the macro
+/// `TILEWRIGHT_MODELS` is defined. `line` shows the chip's value while the chip drives, else the outside's while that
+/// drives, else what the line is pulled to. An assertion fails if both sides drive and differ.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -121,10 +121,10 @@ pub struct Pad {
     pull: Pull,
 }
 
-/// What a line is if nobody drives it.
+/// The level of a line that nobody drives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Pull {
-    /// It floats: a simulation shows zeros.
+    /// The line floats: a simulation shows zeros.
     None,
     Up,
 }
@@ -140,7 +140,8 @@ impl Pad {
         Pad { width, pull: Pull::None }
     }
 
-    /// A pull-up makes the line high if nobody drives it. It is on the board, or in the pin by the constraints.
+    /// A pull-up makes the line high if nobody drives it. The pull-up is a resistor on the board, or a constraint sets
+    /// it in the pin.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -1,13 +1,13 @@
 //! How a clock resets its registers.
 
-/// How a clock resets the registers that have a [reset value](crate::Reg::reset). A kind of reset belongs to a clock,
-/// so all registers on the clock share it, and blocks never name it.
+/// How a clock resets the registers that have a [reset value](crate::Reg::reset). The kind of reset belongs to the
+/// clock. So all registers on the clock share it, and blocks never name it.
 ///
-/// - A **synchronous** reset takes effect at the edges of the clock at which it is active.
-/// - An **asynchronous** reset takes effect as soon as it becomes active, and lasts while it is. Its release must be
-///   synchronous: the pin goes through a reset synchronizer first.
-/// - With **power-on** values alone there is no reset port. A register starts with its initial value, or else with its
-///   reset value, as an FPGA loads them with its configuration.
+/// - A **synchronous** reset takes effect at the clock edges at which it is active.
+/// - An **asynchronous** reset takes effect as soon as it becomes active, and lasts while it is active. Its release
+///   must be synchronous, so the pin first goes through a reset synchronizer.
+/// - With **power-on** values alone there is no reset port. A register starts with its initial value or, without one,
+///   with its reset value. An FPGA loads these values with its configuration.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -43,7 +43,7 @@ pub enum Reset {
     Asynchronous,
     /// Asynchronous and active low; the port is `rst_n`.
     AsynchronousLow,
-    /// No reset: values at power-on alone.
+    /// No reset, only values at power-on.
     PowerOn,
 }
 
@@ -57,7 +57,7 @@ impl Reset {
     pub const ALL: [Reset; 5] =
         [Reset::Synchronous, Reset::SynchronousLow, Reset::Asynchronous, Reset::AsynchronousLow, Reset::PowerOn];
 
-    /// Whether it takes effect without an edge of the clock.
+    /// Whether the reset takes effect without an edge of the clock.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -67,7 +67,7 @@ impl Reset {
         matches!(self, Reset::Asynchronous | Reset::AsynchronousLow)
     }
 
-    /// Whether the port is low while it resets.
+    /// Whether the port is low during a reset.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -77,7 +77,7 @@ impl Reset {
         matches!(self, Reset::SynchronousLow | Reset::AsynchronousLow)
     }
 
-    /// Whether there is a port for it.
+    /// Whether the reset has a port.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -87,7 +87,7 @@ impl Reset {
         !matches!(self, Reset::PowerOn)
     }
 
-    /// The name of its port for a named clock, or for the default clock.
+    /// The name of the reset's port, for a named clock or for the default clock.
     pub(crate) fn port(self, clock: Option<&str>) -> Option<String> {
         let port = if self.is_active_low() { "rst_n" } else { "rst" };
         let port = clock.map_or(port.to_owned(), |clock| format!("{clock}_{port}"));
@@ -105,7 +105,7 @@ impl Reset {
         }
     }
 
-    /// What the name of a module ends in whose own clock resets in this way, where the top's does not.
+    /// The ending of a module's name if its own clock resets in this way and the top's does not.
     pub(crate) fn suffix(self) -> &'static str {
         match self {
             Reset::Synchronous => "synchronous",

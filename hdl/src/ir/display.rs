@@ -18,7 +18,7 @@ use crate::bits::Bits;
 pub struct Shown {
     /// The value, of the shape of the property's condition.
     pub node: NodeId,
-    /// What its bits mean.
+    /// The meaning of the value's bits.
     pub kind: Kind,
 }
 
@@ -47,7 +47,8 @@ pub enum Piece {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
-    /// `{}`: a decimal number, with its sign if it is signed; the name of a code, or `?` if it is none.
+    /// `{}`: a decimal number, with a sign if the value is signed. A code is shown by its name, or as `?` if it has
+    /// none.
     Plain,
     /// `{:x}`: hexadecimal digits without leading zeros.
     Hexadecimal,
@@ -56,7 +57,7 @@ pub enum Format {
 }
 
 impl Piece {
-    /// The pieces of a text, whose values are `{}`, `{:x}` and `{:b}`, and whose braces are `{{` and `}}`.
+    /// The pieces of a text. Its values are `{}`, `{:x}` and `{:b}`, and its braces are `{{` and `}}`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -65,7 +66,7 @@ impl Piece {
     ///
     /// # Errors
     ///
-    /// What is no such text, in words.
+    /// The reason why this is no such text.
     pub fn of(text: &str) -> Result<Vec<Piece>, String> {
         let (mut pieces, mut plain, mut rest) = (Vec::new(), String::new(), text);
         while let Some(at) = rest.find(['{', '}']) {
@@ -130,7 +131,7 @@ fn short(digits: &str) -> String {
     if short.is_empty() { "0".to_owned() } else { short.to_owned() }
 }
 
-/// The number, and 1.
+/// The number plus 1.
 fn increment(limbs: &[u64]) -> Vec<u64> {
     let mut carries = true;
     let add = |limb: &u64| {
@@ -142,7 +143,7 @@ fn increment(limbs: &[u64]) -> Vec<u64> {
 }
 
 fn decimal(limbs: &[u64]) -> String {
-    /// The most digits that a limb has room for.
+    /// The greatest number of decimal digits that fits a limb.
     const DIGITS: (u128, usize) = (10_u128.pow(19), 19);
     let (mut limbs, mut groups) = (limbs.to_vec(), Vec::new());
     while limbs.iter().any(|limb| *limb != 0) {

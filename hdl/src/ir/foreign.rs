@@ -1,11 +1,11 @@
-//! What a module has in Verilog if it stands for a module of somebody else.
+//! Modules of somebody else, which Verilog instantiates in place of their models.
 
 use super::Attribute;
 use crate::bits::Bits;
 use crate::clock::Clock;
 use crate::loc::Loc;
 
-/// A module of somebody else, such as a PLL or a memory of a chip. The module that has it in
+/// A module of somebody else, such as a PLL or a memory of a chip. A module that names it in
 /// [`Module::foreign`](super::Module::foreign) is a model of it, with the same ports.
 ///
 /// ```
@@ -35,7 +35,7 @@ pub struct Foreign {
     pub attributes: Vec<Attribute>,
     /// Whether its ports are in capitals.
     pub capitals: bool,
-    /// Ports of the block, by their paths, and their names.
+    /// The paths of the block's ports, and the names of these ports in the foreign module.
     pub ports: Vec<(String, String)>,
     /// The ports for clocks; `None` is the default clock.
     pub clocks: Vec<(Option<Clock>, String)>,
