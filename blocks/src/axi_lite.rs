@@ -39,7 +39,7 @@ record! {
     pub struct AxiLiteAddress(address: u32) {
         /// The address of a byte.
         addr: bits(address),
-        /// The kind of access, which is not looked at.
+        /// The kind of access, which is ignored.
         prot: bits(3),
     }
 }
@@ -47,7 +47,7 @@ record! {
 bundle! {
     /// A write, from both of its channels.
     struct Write<T> {
-        /// A bit for each register: that which is written.
+        /// A bit for each register: the written one is high.
         chosen: T,
         data: T,
         /// The bits of the bytes that are written.
@@ -56,7 +56,7 @@ bundle! {
 }
 
 block! {
-    /// A slave of AXI4-Lite: registers that the master reads and writes, and words that it only reads.
+    /// A slave of AXI4-Lite: registers that the master reads and writes, and words that the master only reads.
     ///
     /// ```text
     ///        .------.
@@ -70,12 +70,12 @@ block! {
     /// ```
     ///
     /// The registers have the first addresses, a word each, and the words of `status` follow. An access to any other
-    /// address, and a write to a word of `status`, changes nothing and is answered by `SLVERR`. The lowest bits of an
-    /// address, which choose a byte of a word, are not looked at; `strb` says which bytes are written.
+    /// address changes nothing, and is answered by `SLVERR`. The same is true of a write to a word of `status`. The
+    /// lowest bits of an address, which choose a byte of a word, are ignored: `strb` says which bytes are written.
     ///
-    /// Latency 1 clock, an access of each kind a clock. All ports come from registers: there is no path within a clock
-    /// from any port to another. Reads and writes wait for nothing of each other; a read at the same edge as a write
-    /// gives the old word.
+    /// Latency 1 clock, an access of each kind a clock. All ports come from registers, so no path within a clock leads
+    /// from one port to another. Reads and writes do not wait for each other. A read at the same edge as a write gives
+    /// the old word.
     ///
     /// ```
     /// # use tilewright_blocks::{AxiLiteAddress, AxiLiteData, AxiLiteRegisters};
@@ -99,9 +99,9 @@ block! {
         pub address: u32,
         /// The bits of a word.
         pub width: u32,
-        /// How many words the master reads and writes.
+        /// The number of words that the master reads and writes.
         pub registers: u32,
-        /// How many words the master only reads.
+        /// The number of words that the master only reads.
         pub status: u32,
     }
     ranges(self) {
@@ -114,7 +114,7 @@ block! {
     }
     latency = "1 clock";
     in(self) AxiLiteRegistersIn {
-        /// Addresses to write at.
+        /// Write addresses.
         aw: stream(AxiLiteAddress::widths(self.address)),
         /// Words to write.
         ///
@@ -129,7 +129,7 @@ block! {
             /// The bytes of the word that are written, one bit each.
             strb: bits(self.width / 8),
         }),
-        /// Addresses to read at.
+        /// Read addresses.
         ar: stream(AxiLiteAddress::widths(self.address)),
         /// The words that the master only reads.
         status: [bits(self.width); self.status],
@@ -154,14 +154,14 @@ block! {
         /// # assert_eq!(refused.resp, 2);
         /// ```
         r: stream(pub struct AxiLiteWord {
-            /// The word, or 0 if nothing has the address.
+            /// The word, or 0 if no word has the address.
             data: bits(self.width),
-            /// Whether something has the address.
+            /// Whether a word has the address.
             resp: one_of::<AxiResponse>(),
         }),
         /// The registers; 0 after a reset.
         registers: [bits(self.width); self.registers],
-        /// A bit for each register: high in the first clock of what was written.
+        /// A bit for each register: high in the first clock of a written value.
         written: bits(self.registers),
     }
 }

@@ -1,4 +1,4 @@
-//! Packets of bytes, to AXI4-Stream and from it.
+//! Packets of bytes to and from AXI4-Stream.
 
 use crate::encode::first;
 use crate::ports::state_that_it_stays;
@@ -15,7 +15,7 @@ record! {
     pub struct PacketByte {
         /// The byte.
         byte: bits(8),
-        /// The packet ends with it.
+        /// The packet ends with this byte.
         last: bit(),
     }
 
@@ -32,7 +32,7 @@ record! {
         data: bits(8 * lanes),
         /// A bit for each byte: whether it belongs to the packet (TKEEP).
         keep: bits(lanes),
-        /// The packet ends with the beat (TLAST).
+        /// The packet ends with this beat (TLAST).
         last: bit(),
     }
 }
@@ -46,8 +46,8 @@ block! {
     ///           [ last ]  [ full ]===='
     /// ```
     ///
-    /// Latency 1 clock from the last byte of a beat, a byte a clock. A packet begins with a beat of its own; the last
-    /// beat of a packet keeps its lowest bytes, and the others have no meaning. No `valid` waits for `ready`;
+    /// Latency 1 clock from the last byte of a beat, a byte a clock. A packet begins with a beat of its own. The last
+    /// beat of a packet keeps its lowest bytes, and the others have no meaning. No `valid` waits for `ready`, and
     /// `beats.ready` passes to `bytes.ready`.
     ///
     /// ```
@@ -116,11 +116,11 @@ block! {
     /// ```
     ///
     /// Bytes that are not kept (null bytes) are left out, wherever they are. A byte is shown once it is known whether
-    /// the packet ends with it: at once within a beat, otherwise with the next beat. A packet without a byte gives
-    /// nothing.
+    /// the packet ends with that byte. Within a beat this is at once, otherwise with the next beat. A packet without a
+    /// byte gives nothing.
     ///
-    /// Latency 2 clocks, a byte a clock; a beat without a byte takes a clock. No `valid` waits for `ready`; `bytes.ready`
-    /// passes to `beats.ready`.
+    /// Latency 2 clocks, a byte a clock. A beat without a byte takes a clock. No `valid` waits for `ready`, and
+    /// `bytes.ready` passes to `beats.ready`.
     ///
     /// ```
     /// # use tilewright_blocks::{AxiBeat, FromAxiStream, PacketByte};

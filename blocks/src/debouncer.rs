@@ -13,8 +13,8 @@ block! {
     ///                               '------------------------------'
     /// ```
     ///
-    /// Latency: 2 clocks of the synchronizer, and `clocks` more. `level` changes once the line has differed from it
-    /// for `clocks` clocks without a break. A shorter pulse is ignored. The line needs no other synchronizer.
+    /// Latency: 2 clocks of the synchronizer, and `clocks` more. `level` changes once the line has differed from
+    /// `level` for `clocks` clocks without a break. A shorter pulse is ignored. The line needs no other synchronizer.
     ///
     /// ```
     /// # use tilewright_blocks::{Debouncer, DebouncerIn};
@@ -34,15 +34,15 @@ block! {
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     pub struct Debouncer {
-        /// How many clocks in succession a new level lasts before it counts.
+        /// The number of clocks in succession that a new level must last before it counts.
         pub clocks: u64,
-        /// The level after a reset: that of the switch at rest.
+        /// The level after a reset, which is that of the switch at rest.
         pub idle: bool,
     }
     ranges { clocks: 1.. }
     latency(self) = format!("{} clocks", self.clocks.saturating_add(2));
     in DebouncerIn {
-        /// The line of the switch, on no clock.
+        /// The line of the switch, which is asynchronous.
         line: bit(),
     }
     out DebouncerOut {

@@ -14,7 +14,7 @@ codes! {
         Between,
         /// The last word has passed, and the slave is still selected.
         Hold,
-        /// The slave is deselected long enough to see it.
+        /// The slave is deselected, long enough to notice.
         Gap,
     }
 }
@@ -38,9 +38,9 @@ block! {
     /// mosi --<   2   X   1   X   0   >-------    mode 0, words of 3 bits
     /// ```
     ///
-    /// Both sides send the most significant bit first. Each word that is sent brings one back. The slave stays selected
-    /// from word to word until one with `last`; then it is deselected for `half_period` clocks or more. A word waits
-    /// until the one received before it is taken, so nothing is lost.
+    /// Both sides send the most significant bit first. Each word sent brings one word back. The slave stays selected
+    /// from word to word, until a word with `last`. Then it is deselected for `half_period` clocks or more. A word
+    /// waits until the word received before it has been taken, so nothing is lost.
     ///
     /// | mode | `sck` at rest | bits are sampled | bits change |
     /// |---|---|---|---|
@@ -49,9 +49,9 @@ block! {
     /// | 2 | high | where `sck` falls | where `sck` rises |
     /// | 3 | high | where `sck` rises | where `sck` falls |
     ///
-    /// Latency: `2 * width * half_period + 1` clocks from a word to the one received for it; as many clocks later the
-    /// next word can go. No `valid` waits for `ready`; `received.ready` passes to `send.ready`. `miso` follows `sck`, so
-    /// it is not synchronized: it has to be stable at the clock edge that moves `sck` to a sampling edge.
+    /// Latency: `2 * width * half_period + 1` clocks from a word to the word received for it. The next word can be sent
+    /// after as many clocks. No `valid` waits for `ready`, and `received.ready` passes to `send.ready`. `miso` follows
+    /// `sck`, so it is not synchronized. It must be stable at the clock edge that moves `sck` to a sampling edge.
     ///
     /// ```
     /// # use tilewright_blocks::{SpiMaster, SpiWord};
@@ -75,7 +75,7 @@ block! {
     pub struct SpiMaster {
         /// The bits of a word.
         pub width: u32,
-        /// The clocks from an edge of `sck` to the next.
+        /// The clocks from one edge of `sck` to the next.
         pub half_period: u32,
         /// Twice the level of `sck` at rest (CPOL), plus 1 if bits are sampled at its second edge (CPHA).
         pub mode: u32,
@@ -93,7 +93,7 @@ block! {
         send: stream(pub struct SpiWord {
             /// A word for the slave.
             word: bits(self.width),
-            /// The slave is deselected after the word.
+            /// High if the slave is deselected after the word.
             last: bit(),
         }),
         /// The line from the slave.

@@ -3,15 +3,15 @@
 use crate::count_ones::count_ones;
 use tilewright_hdl::{Module, binary, bit, bits, block, case, cat, concat, def, mux, record, select};
 
-/// The symbol for each value of `control`, as DVI 1.0 lists them; they have more edges than any symbol of a pixel.
+/// The symbol for each value of `control`, as DVI 1.0 lists them. They have more edges than any symbol of a pixel.
 const CONTROL: [u64; 4] = [0b11_0101_0100, 0b00_1010_1011, 0b01_0101_0100, 0b10_1010_1011];
 
 record! {
-    /// What the first stage makes of a byte.
+    /// The result of the first stage for a byte.
     struct Minimized {
         /// A pixel is shown.
         active: bit(),
-        /// What is sent if none is.
+        /// The control bits to send if no pixel is shown.
         control: bits(2),
         /// The byte with few edges: each bit is one of the byte, combined with the bit before.
         word: bits(8),
@@ -23,7 +23,7 @@ record! {
 block! {
     /// Encodes a byte of a colour as a symbol of 10 bits, as DVI and HDMI transmit it.
     ///
-    /// This is transition-minimized differential signaling (TMDS): few bits differ from their neighbours, and as many
+    /// This is transition-minimized differential signaling (TMDS). Few bits differ from their neighbours, and as many
     /// ones as zeros are sent in the long run.
     ///
     /// ```text
@@ -38,7 +38,7 @@ block! {
     /// ```
     ///
     /// Latency 2 clocks, a symbol a clock. The disparity is how many more ones than zeros were sent since the last
-    /// symbol of `control`; it decides which bytes are inverted.
+    /// symbol of `control`. It decides which bytes are inverted.
     ///
     /// ```
     /// # use tilewright_blocks::*;
@@ -53,11 +53,11 @@ block! {
     pub struct TmdsEncoder;
     latency = "2 clocks";
     in TmdsEncoderIn {
-        /// A pixel is shown; otherwise `control` is sent.
+        /// High while a pixel is shown; otherwise `control` is sent.
         active: bit(),
         /// The byte of a pixel.
         data: bits(8),
-        /// What is sent outside the picture: for the blue channel the vertical sync above the horizontal one.
+        /// The control bits outside the picture. In the blue channel, the vertical sync is above the horizontal one.
         control: bits(2),
     }
     out TmdsEncoderOut {

@@ -1,10 +1,10 @@
-//! Where a picture is on a screen, and when.
+//! The position of each pixel on a screen, and its time.
 
 use std::ops::Range;
 use tilewright_hdl::{Module, Reg, Signal, below, bit, block, def, mux};
 
-/// The parts of a line in pixels, or of a frame in lines: what is visible, the front porch, the sync pulse and the back
-/// porch.
+/// The parts of a line in pixels, or of a frame in lines: the visible part, the front porch, the sync pulse and the
+/// back porch.
 ///
 /// ```
 /// use tilewright_blocks::{Scan, VideoTiming};
@@ -23,8 +23,8 @@ pub struct Scan {
 }
 
 impl Scan {
-    /// `visible` pixels or lines, and those of the front porch, the sync pulse and the back porch; whether the pulse is
-    /// high, or low.
+    /// `visible` pixels or lines, and those of the front porch, the sync pulse and the back porch. The last argument is
+    /// true if the pulse is high.
     ///
     /// ```
     /// use tilewright_blocks::Scan;
@@ -60,7 +60,7 @@ impl Scan {
         start..start + self.sync
     }
 
-    /// The level of the pin, in the pulse or not.
+    /// The level of the pin, inside the pulse or outside it.
     fn level(&self, in_pulse: Reg) -> Signal {
         if self.positive { *in_pulse } else { !in_pulse }
     }
@@ -88,7 +88,7 @@ block! {
     /// ```
     ///
     /// Latency 1 clock with `enable`. After a reset `x` and `y` are 0. A row begins with the sync pulse before it, so
-    /// both pulses begin together, as VESA and CTA-861 have it; `y` is the same in all visible pixels of a row.
+    /// both pulses begin together, as in VESA and CTA-861. `y` is the same in all visible pixels of a row.
     ///
     /// ```
     /// # use tilewright_blocks::*;
@@ -115,19 +115,19 @@ block! {
     }
     latency = "1 clock with `enable`";
     in VideoTimingIn {
-        /// Goes on to the next pixel.
+        /// High to go on to the next pixel.
         enable: bit(),
     }
     out(self) VideoTimingOut {
-        /// The column of the pixel; it counts on to the end of the line.
+        /// The column of the pixel, which counts on to the end of the line.
         x: below(self.columns.total()),
-        /// The row of the pixel; it counts on to the end of the frame.
+        /// The row of the pixel, which counts on to the end of the frame.
         y: below(self.rows.total()),
         /// High where the pixel is visible.
         active: bit(),
-        /// The sync pulse of lines, of the polarity that their timing has.
+        /// The sync pulse of lines, with the polarity that their timing sets.
         hsync: bit(),
-        /// The sync pulse of frames, of the polarity that their timing has.
+        /// The sync pulse of frames, with the polarity that their timing sets.
         vsync: bit(),
     }
 }
@@ -179,7 +179,7 @@ impl VideoTiming {
     }
 }
 
-/// A register that is high while a position, which goes around and is 0 after a reset, is in a range.
+/// A register that is high while a position is in a range. The position wraps around, and is 0 after a reset.
 fn during(m: Module, name: &str, moves: Signal, position: Reg, (range, total): (Range<u32>, u32)) -> Reg {
     let reaches = |place: u32| moves & position.eq((place + total - 1) % total);
     let register = m.reg(name, bit()).reset(range.contains(&0));
