@@ -8,7 +8,7 @@ use crate::ir::Attribute;
 use crate::loc::Loc;
 use crate::memory::Mem;
 use crate::mistake::Mistake;
-use crate::names::{is_legal, is_reserved};
+use crate::names::illegal;
 use crate::problem::Problem;
 use crate::register::Reg;
 use crate::wire::is_here;
@@ -102,11 +102,10 @@ fn add(loc: Loc, name: &str, value: &str, to: impl Fn(&mut Draft) -> &mut Vec<At
 
 /// What is wrong with an attribute beside those that are known.
 pub(crate) fn wrong(known: &[Attribute], name: &str, value: &str, loc: Loc) -> Option<Problem> {
-    let (mistake, message, help) = if !is_legal(name) || is_reserved(name) {
-        let message = format!("`{name}` cannot be the name of an attribute");
-        let help = "a name consists of letters, digits and `_`, and is not a reserved word of Verilog";
-        (Mistake::IllegalName, message, help)
-    } else if value.contains("*)") {
+    if let Some(problem) = illegal("an attribute", name, loc) {
+        return Some(problem);
+    }
+    let (mistake, message, help) = if value.contains("*)") {
         let message = format!("the value of the attribute `{name}` would end it: `{value}`");
         (Mistake::AttributeEnd, message, "an attribute of Verilog ends at `*)`, even within a string")
     } else if known.iter().any(|known| known.name == name) {

@@ -246,6 +246,11 @@ impl Draft {
         if shape.is_plain() { node } else { self.add(Op::Broadcast { of: node, axis: 0 }, width, shape, loc) }
     }
 
+    /// The node, repeated in the lanes of a shape if it is plain.
+    pub fn in_shape(&mut self, node: NodeId, shape: Shape, loc: Loc) -> NodeId {
+        if self.node(node).shape == shape { node } else { self.spread(node, shape, loc) }
+    }
+
     /// The index of a clock in this module; a new clock is added.
     pub fn clock(&mut self, clock: Option<Clock>) -> ClockId {
         let found = self.clocks.iter().position(|known| match (known, &clock) {

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use crate::check::{foreign, pads};
 use crate::elaboration::Elaboration;
+use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::problem::Problem;
 
@@ -67,12 +68,8 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
             problems.push(
                 problem.help("distinguish them by `name(self) = ..` in `block!`, or in the block's `Debug` text"),
             );
-        } else if is_reserved(&module.name) || !is_legal(&module.name) {
-            let message = format!("`{}` cannot be the name of a module", module.name);
-            let problem = Problem::new(Mistake::IllegalName, module.loc, message);
-            problems.push(
-                problem.help("a name consists of letters, digits and `_`, and is not a reserved word of Verilog"),
-            );
+        } else {
+            problems.extend(illegal("a module", &module.name, module.loc));
         }
         taken.entry(&module.name).or_insert(i);
     }
@@ -95,6 +92,14 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
         problems.extend(pads::check(&e.done));
     }
     problems.into_iter().for_each(|problem| e.report(problem));
+}
+
+/// The problem of a name that Verilog does not take, if it is one.
+pub(crate) fn illegal(kind: &str, name: &str, loc: Loc) -> Option<Problem> {
+    let is_wrong = !is_legal(name) || is_reserved(name);
+    let problem = || Problem::new(Mistake::IllegalName, loc, format!("`{name}` cannot be the name of {kind}"));
+    let help = "a name consists of letters, digits and `_`, and is not a reserved word of Verilog";
+    is_wrong.then(|| problem().help(help))
 }
 
 #[cfg(test)]

@@ -133,8 +133,7 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
     let mut passed: BTreeMap<Time, Vec<NodeId>> = BTreeMap::new();
     for index in 0..draft.properties.len() {
         let (property, part) = (draft.properties[index].property.clone(), draft.properties[index].part);
-        let looked_at = property.values.iter().map(|shown| shown.node).chain([property.condition]);
-        let edges = looked_at.map(|node| looks_back[node.0 as usize]).max().unwrap_or(0);
+        let edges = property.nodes().map(|node| looks_back[node.0 as usize]).max().unwrap_or(0);
         if edges > 0 {
             let time = (property.clock, part);
             let passed = passed.entry(time).or_default();
@@ -198,7 +197,7 @@ pub(crate) fn only_where(
             (Binary::Or, draft.add(Op::Unary(Unary::Not, guard), 1, draft.node(guard).shape, loc))
         }
     };
-    let guard = if draft.node(guard).shape == shape { guard } else { draft.spread(guard, shape, loc) };
+    let guard = draft.in_shape(guard, shape, loc);
     draft.add(Op::Binary(op, guard, condition), 1, shape, loc)
 }
 

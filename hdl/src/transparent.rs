@@ -75,9 +75,4 @@ impl Draft {
         let shape = if shapes[0].is_plain() { shapes[1] } else { shapes[0] };
         (nodes.map(|node| self.in_shape(node, shape, loc)), shape)
     }
-
-    /// The node, repeated in the lanes of a shape if it is plain.
-    fn in_shape(&mut self, node: NodeId, shape: Shape, loc: Loc) -> NodeId {
-        if self.node(node).shape == shape { node } else { self.spread(node, shape, loc) }
-    }
 }

@@ -216,10 +216,7 @@ impl<'a> Items<'a> {
                 memory.writes.iter().for_each(|write| roots.extend([write.enable, write.address, write.data]));
             }
             What::Instance(index) => roots.extend(&module.instances[index].inputs),
-            What::Property(index) => {
-                let property = &module.properties[index];
-                roots.extend(property.values.iter().map(|shown| shown.node).chain([property.condition]));
-            }
+            What::Property(index) => roots.extend(module.properties[index].nodes()),
         }
         let mut found = self.behind(item.shape, roots);
         // A word is read in the scope of its memory.

@@ -5,10 +5,7 @@ use tilewright_hdl::ir::{Module, NodeId, Op, Property};
 
 /// For each register, whether it belongs to the properties: nothing printed elsewhere reads it.
 pub fn stated(module: &Module, plan: &Plan, resets: &[Option<NodeId>]) -> Vec<bool> {
-    let read = |property: &Property| {
-        property.values.iter().map(|shown| shown.node).chain([property.condition]).collect::<Vec<_>>()
-    };
-    let by_statements = reached(module, module.properties.iter().flat_map(read).collect(), true);
+    let by_statements = reached(module, module.properties.iter().flat_map(Property::nodes).collect(), true);
     let plain = |index: usize| module.shape(module.registers[index].node).is_plain() && resets[index].is_none();
     let is_port = |node: NodeId| module.outputs.iter().any(|output| output.node == node);
     let may = |index: usize| by_statements[index] && plain(index) && !is_port(module.registers[index].node);

@@ -54,7 +54,7 @@ pub(crate) fn check(
         checker.sampled(part.enable, part.clock, "an `enabled`", part.enable);
     }
     for property in draft.properties.iter().map(|draft| &draft.property) {
-        for node in property.values.iter().map(|shown| shown.node).chain([property.condition]) {
+        for node in property.nodes() {
             checker.sampled(node, property.clock, property.directive.noun(), node);
         }
     }

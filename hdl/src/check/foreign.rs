@@ -6,7 +6,7 @@ use crate::elaboration::Elaboration;
 use crate::ir::{ClockId, Foreign, Instance, Module, NodeId, Op, Parameter};
 use crate::loc::Loc;
 use crate::mistake::Mistake;
-use crate::names::{is_legal, is_reserved};
+use crate::names::illegal;
 use crate::problem::Problem;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,9 +24,9 @@ pub(crate) fn begin(e: &mut Elaboration, foreign: Option<Foreign>) {
 
 fn names(foreign: &Foreign, problems: &mut Vec<Problem>) {
     let (module, loc) = (&foreign.module, foreign.loc);
-    problems.extend(illegal("foreign module", module, loc));
+    problems.extend(illegal("a foreign module", module, loc));
     for (i, (name, value)) in foreign.parameters.iter().enumerate() {
-        problems.extend(illegal("parameter", name, loc));
+        problems.extend(illegal("a parameter", name, loc));
         if foreign.parameters[..i].iter().any(|(known, _)| known == name) {
             let message = format!("parameter `{name}` of `{module}` is given twice");
             problems.push(Problem::new(Mistake::GivenTwice, loc, message).help("give it once"));
@@ -38,18 +38,11 @@ fn names(foreign: &Foreign, problems: &mut Vec<Problem>) {
             problems.push(Problem::new(Mistake::NoValue, loc, message).help("give it a finite number"));
         }
     }
-    foreign.makes.iter().for_each(|(_, port)| problems.extend(illegal("clock", port, loc)));
+    foreign.makes.iter().for_each(|(_, port)| problems.extend(illegal("a clock", port, loc)));
     for (i, attribute) in foreign.attributes.iter().enumerate() {
         let before = &foreign.attributes[..i];
         problems.extend(attribute::wrong(before, &attribute.name, &attribute.value, loc));
     }
-}
-
-fn illegal(kind: &str, name: &str, loc: Loc) -> Option<Problem> {
-    let is_wrong = !is_legal(name) || is_reserved(name);
-    let problem = || Problem::new(Mistake::IllegalName, loc, format!("`{name}` cannot be the name of a {kind}"));
-    let help = "a name consists of letters, digits and `_`, and is not a reserved word of Verilog";
-    is_wrong.then(|| problem().help(help))
 }
 
 /// Reports what the description of a foreign module and its model disagree about.

@@ -1,6 +1,6 @@
 //! Pads are in the top, and each has its outside among the top's inputs.
 
-use crate::ir::{Instance, Module, NodeId, Op};
+use crate::ir::{Instance, Module, NodeId, Op, Property};
 use crate::mistake::Mistake;
 use crate::module::port_name;
 use crate::names::{is_reserved, is_reserved_in_cpp};
@@ -80,7 +80,7 @@ impl Module {
         let mut read = |of: NodeId| count += usize::from(of == node);
         self.nodes.iter().for_each(|it| it.op.for_each_operand(&mut read));
         self.outputs.iter().for_each(|output| read(output.node));
-        self.properties.iter().for_each(|property| read(property.condition));
+        self.properties.iter().flat_map(Property::nodes).for_each(&mut read);
         self.registers
             .iter()
             .for_each(|register| register.enable.into_iter().chain([register.next]).for_each(&mut read));

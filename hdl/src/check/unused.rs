@@ -11,9 +11,7 @@ pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], problems: &mut 
     draft.nodes.iter().for_each(|node| node.op.for_each_operand(&mut mark));
     outputs.iter().for_each(|(_, node)| mark(*node));
     draft.ignored.iter().chain(&draft.in_problems).for_each(|node| mark(*node));
-    for property in draft.properties.iter().map(|draft| &draft.property) {
-        property.values.iter().map(|shown| shown.node).chain([property.condition]).for_each(&mut mark);
-    }
+    draft.properties.iter().flat_map(|draft| draft.property.nodes()).for_each(&mut mark);
     draft.parts.iter().for_each(|part| mark(part.enable));
     draft.enables.iter().for_each(|(_, input)| mark(*input));
     for register in &draft.registers {

@@ -31,6 +31,24 @@ pub struct Property {
     pub loc: Loc,
 }
 
+impl Property {
+    /// The nodes that it looks at: the values of a display, and the condition.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let design = tilewright_sim::shown! { |m, i| in { take: bit(), page: bits(4) } out { taken: bit() }
+    /// m.display(i.take, "page {} is taken", &[i.page]);
+    /// #     ShownOut { taken: i.take }
+    /// # };
+    /// let top = design.top();
+    /// let widths: Vec<_> = top.properties[0].nodes().map(|node| top.width(node)).collect();
+    /// assert_eq!(widths, [4, 1]);
+    /// ```
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> {
+        self.values.iter().map(|shown| shown.node).chain([self.condition])
+    }
+}
+
 /// The kind of a [`Property`].
 ///
 /// ```

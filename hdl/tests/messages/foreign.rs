@@ -216,6 +216,9 @@ impl Wired {
             5 => (!i.low).named("sda"),
             _ => i.low,
         };
+        if self.wrong == 6 {
+            m.display(i.low, "{}", &[i.sda.value]);
+        }
         WiredOut { line: pad.line, other }
     }
 }
@@ -253,7 +256,7 @@ fn pads_are_ports_of_the_top() {
     assert!(elaborate(&Wired { wrong: 0 }).is_ok());
     let help = "declare the input, as in `sda: Outside::widths(1)`, give it to one pad, and read the pad's `line`";
     let message = "the outside of pad `u_sda` is not an input of `wired_wrong1` that is used for it alone [T516]";
-    for wrong in [1, 2, 4] {
+    for wrong in [1, 2, 4, 6] {
         let found = problems(&Wired { wrong }).replace(&format!("wrong{wrong}"), "wrong1");
         assert!(found.starts_with(message) && found.ends_with(help), "{found}");
     }

@@ -4,7 +4,7 @@ use crate::same::is_guard;
 use crate::{Mutant, block};
 use tilewright_hdl::Bits;
 use tilewright_hdl::Loc;
-use tilewright_hdl::ir::{Directive, Init, Module, Node, NodeId, Op, Unary};
+use tilewright_hdl::ir::{Directive, Init, Module, Node, NodeId, Op, Property, Unary};
 
 /// A module that mutants are made of.
 pub(crate) struct Sites<'a> {
@@ -40,7 +40,7 @@ pub(crate) fn observed(module: &Module) -> Vec<bool> {
     let mut left: Vec<NodeId> = module.outputs.iter().map(|output| output.node).collect();
     left.extend(module.instances.iter().flat_map(|instance| instance.inputs.iter().copied()));
     let stated = module.properties.iter().filter(|property| property.directive != Directive::Assert);
-    left.extend(stated.map(|property| property.condition));
+    left.extend(stated.flat_map(Property::nodes));
     while let Some(id) = left.pop() {
         if std::mem::replace(&mut observed[id.0 as usize], true) {
             continue;

@@ -8,7 +8,7 @@ use super::lane_values::lane_constants;
 use super::order::{for_each_read, operands_first};
 pub use needs::is_place;
 use needs::{lane_operands, lists};
-use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Shift, Unary};
+use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Property, Shift, Unary};
 
 /// Longer expressions, in columns, are split.
 const LONGEST: usize = 84;
@@ -96,10 +96,7 @@ pub fn for_each_root(module: &Module, beyond: &[Vec<bool>], mut visit: impl FnMu
     }
     module.instances.iter().flat_map(|instance| &instance.inputs).for_each(|&id| visit(id));
     module.outputs.iter().for_each(|output| visit(output.node));
-    for property in &module.properties {
-        visit(property.condition);
-        property.values.iter().for_each(|shown| visit(shown.node));
-    }
+    module.properties.iter().flat_map(Property::nodes).for_each(visit);
 }
 
 struct Planner<'a> {

@@ -3,7 +3,7 @@
 use super::of_write;
 use crate::edit::operands;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{InstanceId, MemoryId, Module, ModuleId, NodeId, Op, RegisterId};
+use tilewright_hdl::ir::{InstanceId, MemoryId, Module, ModuleId, NodeId, Op, Property, RegisterId};
 
 /// Visits every mention of a node but those of ports and of objects that are that node.
 pub fn for_each_use(module: &mut Module, mut visit: impl FnMut(&mut NodeId)) {
@@ -95,8 +95,7 @@ pub fn drop_unused(modules: &mut Vec<Module>) {
 fn live(module: &Module) -> Vec<bool> {
     let mut live = vec![false; module.nodes.len()];
     let mut open: Vec<NodeId> = module.outputs.iter().map(|output| output.node).collect();
-    open.extend(module.properties.iter().map(|property| property.condition));
-    open.extend(module.properties.iter().flat_map(|property| &property.values).map(|shown| shown.node));
+    open.extend(module.properties.iter().flat_map(Property::nodes));
     while let Some(id) = open.pop() {
         if id.0 as usize >= live.len() || std::mem::replace(&mut live[id.0 as usize], true) {
             continue;
