@@ -17,25 +17,33 @@ pub struct Start<'a> {
     dut: &'a str,
     /// The loop variables of nested arrays, from the outside to the inside.
     pub genvars: Vec<String>,
-    /// The words that a recording gives memories which are filled, by path and name, and by the lanes on the path.
-    words: BTreeMap<String, BTreeMap<Vec<u32>, Vec<String>>>,
+    /// The assignments of the words that a recording gives memories which are filled.
+    words: Words,
+    /// The assignments of all other initial values of the recording.
+    pub special: Vec<String>,
 }
+
+/// Assignments by the path and name of a memory, and by the lanes on the path.
+type Words = BTreeMap<String, BTreeMap<Vec<u32>, Vec<String>>>;
 
 impl<'a> Start<'a> {
     /// Takes the names of loop variables from `names`.
     pub fn new(design: &'a Design, dut: &'a str, recording: &Recording, names: &mut Names) -> Start<'a> {
         let states = states(design);
         let genvars = (0..array_depth(design)).map(|depth| names.fresh(&format!("lane{depth}"))).collect();
-        let mut start = Start { design, states, dut, genvars, words: BTreeMap::new() };
-        let mut words: BTreeMap<String, BTreeMap<Vec<u32>, Vec<String>>> = BTreeMap::new();
+        let mut start = Start { design, states, dut, genvars, words: BTreeMap::new(), special: Vec::new() };
+        let (mut words, mut special) = (Words::new(), Vec::new());
         for found in recording.initial.iter().filter_map(|initial| start.found(initial)) {
-            if let State::Memory { name, is_unknown: true, .. } = found.state {
-                let (path, lanes) = start.in_loops(&found.path);
-                let lines = found.assigned(&path);
-                words.entry(format!("{path}.{name}")).or_default().entry(lanes).or_default().extend(lines);
+            match found.state {
+                State::Memory { name, is_unknown: true, .. } => {
+                    let (path, lanes) = start.in_loops(&found.path);
+                    let lines = found.assigned(&path);
+                    words.entry(format!("{path}.{name}")).or_default().entry(lanes).or_default().extend(lines);
+                }
+                _ => special.extend(found.assigned(&found.path)),
             }
         }
-        start.words = words;
+        (start.words, start.special) = (words, special);
         start
     }
 
@@ -122,35 +130,22 @@ impl<'a> Start<'a> {
     /// Fills a memory in each lane on its path. Verilator 5.006 does not see that a word changes later if it is read
     /// at once, so the words of the recording are a part of the same block.
     fn memory(&self, path: &str, name: &str, size: [u32; 2], names: &mut Names) -> Vec<String> {
-        let given = self.words.get(&format!("{path}.{name}"));
-        let (mut out, mut last) = (Vec::new(), Vec::new());
-        for (lanes, words) in given.into_iter().flatten() {
-            let is_lane: Vec<String> =
-                self.genvars.iter().zip(lanes).map(|(genvar, lane)| format!("{genvar} == {lane}")).collect();
-            let block = fill(path, name, size, words, names);
-            if is_lane.is_empty() {
-                return block;
-            }
-            let label = names.fresh(&format!("words_{}", label(&format!("{path}.{name}"))));
-            out.push(format!("if ({}) begin : {label}", is_lane.join(" && ")));
-            out.extend(block.into_iter().map(|line| format!("    {line}")));
-            out.push("end else".to_string());
-            last = vec!["end".to_string()];
+        let named = format!("{path}.{name}");
+        let Some(given) = self.words.get(&named) else { return fill(path, name, size, &[], names) };
+        if let Some(words) = given.get(&[][..]) {
+            return fill(path, name, size, words, names);
         }
-        if let Some(before) = out.last_mut() {
-            let label = names.fresh(&format!("words_{}", label(&format!("{path}.{name}"))));
-            *before += &format!(" begin : {label}");
+        let lane = |(genvar, lane): (&String, &u32)| format!("{genvar} == {lane}");
+        let condition = |lanes: &Vec<u32>| self.genvars.iter().zip(lanes).map(lane).collect::<Vec<_>>().join(" && ");
+        let branches = given.iter().map(|(lanes, words)| (format!("if ({}) ", condition(lanes)), &words[..]));
+        let (mut out, mut before) = (Vec::new(), "");
+        for (head, words) in branches.chain([(String::new(), &[][..])]) {
+            out.push(format!("{before}{head}begin : {}", names.fresh(&format!("words_{}", label(&named)))));
+            out.extend(fill(path, name, size, words, names).into_iter().map(|line| format!("    {line}")));
+            before = "end else ";
         }
-        out.extend(fill(path, name, size, &[], names));
-        out.extend(last);
+        out.push("end".to_string());
         out
-    }
-
-    /// The assignments for the recording's initial values, but for words of memories that [`Self::usual`] fills.
-    pub fn special(&self, recording: &Recording) -> Vec<String> {
-        let found = recording.initial.iter().filter_map(|initial| self.found(initial));
-        let is_filled = |state: &State| matches!(state, State::Memory { is_unknown: true, .. });
-        found.filter(|found| !is_filled(found.state)).flat_map(|found| found.assigned(&found.path)).collect()
     }
 
     /// The element of state of an initial value; `None` if nothing reads it, so that it is not printed.

@@ -27,7 +27,7 @@ pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
     let mut body = bench.declarations(&table);
     body.extend(bench.device(design.top()));
     body.extend(generate_start(&start, &mut names));
-    body.extend(bench.run(&start.special(recording), &table));
+    body.extend(bench.run(&start.special, &table));
     body.extend(table.tasks(&bench.own));
     let mut text = format!(
         "// {name}\n//\n// Replays {} recorded steps of {} and compares every output before every edge.\n\

@@ -17,10 +17,18 @@ impl Printer<'_> {
 
     /// A value that is assigned: a negative constant has its sign. Elsewhere, as in an index, the sign would count.
     pub fn assigned(&mut self, id: NodeId) -> String {
+        match self.inline_constant(id) {
+            Some((value, kind)) => number(value, kind, Style::Count),
+            None => self.value(id),
+        }
+    }
+
+    /// The constant as which a node is printed, and its kind.
+    fn inline_constant(&self, id: NodeId) -> Option<(&Bits, Kind)> {
         let of = self.printed(id);
         match (&self.module.node(of).op, self.plan.form(of)) {
-            (Op::Const(value), Form::Inline) => number(value, self.module.node(of).kind, Style::Count),
-            _ => self.value(id),
+            (Op::Const(value), Form::Inline) => Some((value, self.module.node(of).kind)),
+            _ => None,
         }
     }
 
@@ -182,22 +190,15 @@ impl Printer<'_> {
 
     /// Whether an operand is printed as a constant with a minus, which linters compare with signed operands only.
     fn is_negative(&self, id: NodeId) -> bool {
-        let of = self.printed(id);
-        let node = self.module.node(of);
-        let Op::Const(value) = &node.op else { return false };
-        self.plan.form(of) == Form::Inline && number(value, node.kind, Style::Count).starts_with('-')
+        let constant = self.inline_constant(id);
+        constant.is_some_and(|(value, kind)| number(value, kind, Style::Count).starts_with('-'))
     }
 
     /// An operand of an operator that computes with signed numbers of this width. A negative constant has the width
     /// itself: a minus is an operator, and linters complain where its operand is extended.
     fn signed(&mut self, id: NodeId, width: u32) -> String {
-        let of = self.printed(id);
-        let number = match (&self.module.node(of).op, self.plan.form(of)) {
-            (Op::Const(value), Form::Inline) => {
-                literal::signed(&value.sext(width)).filter(|_| value.radix() == Radix::Any)
-            }
-            _ => None,
-        };
+        let constant = self.inline_constant(id).filter(|(value, _)| value.radix() == Radix::Any);
+        let number = constant.and_then(|(value, _)| literal::signed(&value.sext(width)));
         number.unwrap_or_else(|| format!("$signed({})", self.value(id)))
     }
 

@@ -92,7 +92,7 @@ impl super::Shared<'_> {
         self.turns += 1;
         self.waiting.clear();
         self.instant = self.circuit.timeline.next_time();
-        // Without clocks, the following step reports the error.
+        // At the end of time, the following step reports the error.
         self.circuit.timeline.rising_at(self.instant.unwrap_or(0), &mut self.rising);
     }
 }

@@ -57,8 +57,8 @@ impl Clock {
         is_active != self.kind.is_active_low()
     }
 
-    /// Whether its reset, released after the instant at this time, is shown to end later, when the clock falls: a
-    /// reader cannot tell whether an asynchronous one that ends just at an edge still resets there.
+    /// Whether the end of its reset, released after the instant at this time, is shown when the clock falls. If an
+    /// asynchronous reset ended just at an edge, a reader could not tell whether it still resets there.
     pub fn releases_later(&self, time: u64) -> bool {
         self.kind.is_asynchronous() && time > 0 && time.is_multiple_of(self.period)
     }
