@@ -71,5 +71,8 @@ if [ "${1:-}" = --quick ]; then
     fi
     exec "${quick[@]}" "${long[@]/#/--skip=}" "$@"
 fi
-install_tools
+# The tools are installed while the tests are built. Only their run needs them.
+install_tools &
+cargo test --workspace --no-run "$@" || { status=$? && wait && exit $status; }
+wait $!
 cargo test --workspace "$@"
