@@ -124,7 +124,7 @@ impl<'a> Whole<'a> {
         let bytes = [self.works.bytes(), self.works.stored()];
         for (node, passing) in self.passing.iter_mut().enumerate() {
             for (direction, count) in passing.iter_mut().enumerate() {
-                if self.sim.peek(&format!("u_node{node}.advances{direction}")).unwrap().to_u64() != Some(1) {
+                if self.sim.peek(&format!("u_node[{node}].advances{direction}")).unwrap().to_u64() != Some(1) {
                     continue;
                 }
                 let passed = &mut self.seen.passed[node][direction];
@@ -140,7 +140,7 @@ impl<'a> Whole<'a> {
     /// The clock that ends with this tick.
     fn clock_of_arrays(&mut self) {
         for node in 0..self.jobs.len() {
-            let mut of = |name: &str| self.sim.peek(&format!("u_node{node}.{name}")).unwrap().to_u64().unwrap();
+            let mut of = |name: &str| self.sim.peek(&format!("u_node[{node}].{name}")).unwrap().to_u64().unwrap();
             let given = of("given");
             let is_taken = of("u_dma.instructions_valid") & of("u_dma.instructions_ready") == 1;
             let awaits = of("u_dma.instructions_sync") == Sync::AwaitBank as u64;

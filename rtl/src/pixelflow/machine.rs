@@ -29,7 +29,7 @@
 use super::command_dma::{Commands, Store};
 use super::network_port::Transfer;
 use super::network_sequencer::Job;
-use super::node::{DIRECTIONS, DirectionIn, Node, NodeIn, NodeOut};
+use super::node::{DIRECTIONS, DirectionIn, Node, NodeIn};
 use super::registers::PortAccess;
 use super::{ARRAY, NETWORK};
 use crate::prelude::*;
@@ -111,50 +111,32 @@ impl PixelFlow {
     }
 
     fn build(&self, m: Module, i: PixelFlowIn) -> PixelFlowOut {
-        let network = m.on(NETWORK);
-        let transfer = Transfer::widths(&self.node.port());
-        let [forth, back] = ["forth", "back"].map(|name| {
-            (0..self.nodes).map(|number| network.wire(&format!("{name}{number}"), transfer)).collect::<Vec<_>>()
-        });
-        let go = [network.wire("go_forth", bit()), network.wire("go_back", bit())];
-        let nothing =
-            Transfer { valid: lit(1, 0), first: lit(1, 0), bytes: lit(8, 0).of(row(self.node.array().chips())) };
-
-        let ports = i.stores.into_iter().zip(i.frames).zip(i.textures).zip(i.forth.into_iter().zip(i.back));
-        let mut nodes: Vec<NodeOut> = Vec::new();
-        for (number, (((store, frames), texture), (jobs_forth, jobs_back))) in ports.enumerate() {
-            let before = number.checked_sub(1).map_or(nothing, |before| *forth[before]);
-            let behind = back.get(number + 1).map_or(nothing, |behind| **behind);
-            let inputs = NodeIn {
-                store,
-                frames,
+        let [go_forth, go_back] = ["go_forth", "go_back"].map(|name| m.on(NETWORK).wire(name, bit()));
+        let (jobs_forth, jobs_back) = (stack(i.forth), stack(i.back));
+        let nodes = m.array("u_node", self.nodes, &self.node, |nodes| {
+            let [forth, back] = [0, 1].map(|direction| nodes.network[direction].downstream);
+            NodeIn {
+                store: stack(i.stores),
+                frames: stack(i.frames),
                 side_by_side: i.side_by_side,
-                texture,
-                texture_done: i.textures_done.lane(number),
+                texture: stack(i.textures),
+                texture_done: i.textures_done,
                 network: vec![
-                    DirectionIn { jobs: jobs_forth, go: *go[0], upstream: before },
-                    DirectionIn { jobs: jobs_back, go: *go[1], upstream: behind },
+                    DirectionIn { jobs: jobs_forth, go: *go_forth, upstream: forth.previous(0) },
+                    DirectionIn { jobs: jobs_back, go: *go_back, upstream: back.following(0) },
                 ],
-            };
-            let out = m.instance(&format!("u_node{number}"), &self.node, inputs);
-            forth[number].drive(out.network[0].downstream);
-            back[number].drive(out.network[1].downstream);
-            nodes.push(out);
-        }
-
-        let of_all = |of: &dyn Fn(&NodeOut) -> Signal| stack(nodes.iter().map(of).collect::<Vec<_>>());
-        for (direction, go) in go.iter().enumerate() {
-            go.drive(of_all(&|node| node.network[direction].ready).and_all());
-        }
+            }
+        });
+        let [forth, back] = &nodes.network[..] else { unreachable!("two directions") };
+        go_forth.drive(forth.ready.and_all());
+        go_back.drive(back.ready.and_all());
         PixelFlowOut {
-            textures_start: of_all(&|node| node.texture_starts),
-            idle: of_all(&|node| node.idle),
-            without_job: (0..DIRECTIONS as usize)
-                .map(|direction| of_all(&|node| node.network[direction].idle))
-                .collect(),
-            go: go.iter().map(|go| **go).collect(),
-            off: vec![*forth[self.nodes as usize - 1], *back[0]],
-            texture_seen: nodes.into_iter().map(|node| node.texture_seen).collect(),
+            textures_start: nodes.texture_starts,
+            idle: nodes.idle,
+            without_job: vec![forth.idle, back.idle],
+            go: vec![*go_forth, *go_back],
+            off: vec![forth.downstream.last(), back.downstream.lane(0)],
+            texture_seen: nodes.texture_seen.rows().to_vec(),
         }
     }
 }

@@ -169,332 +169,337 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     output wire        back_2_ready
 );
 
-    wire u_node0_texture_starts;                                 // rtl/src/pixelflow/machine.rs:139
-    wire u_node0_idle;                                           // rtl/src/pixelflow/machine.rs:139
-    wire u_node0_network_0_ready;                                // rtl/src/pixelflow/machine.rs:139
-    wire u_node0_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:139
-    wire forth0_valid;                                           // rtl/src/pixelflow/machine.rs:117
-    wire forth0_first;                                           // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node0_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
-    wire u_node0_network_1_ready;                                // rtl/src/pixelflow/machine.rs:139
-    wire u_node0_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:139
-    wire back0_valid;                                            // rtl/src/pixelflow/machine.rs:117
-    wire back0_first;                                            // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node0_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
-    wire u_node1_texture_starts;                                 // rtl/src/pixelflow/machine.rs:139
-    wire u_node1_idle;                                           // rtl/src/pixelflow/machine.rs:139
-    wire u_node1_network_0_ready;                                // rtl/src/pixelflow/machine.rs:139
-    wire u_node1_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:139
-    wire forth1_valid;                                           // rtl/src/pixelflow/machine.rs:117
-    wire forth1_first;                                           // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node1_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
-    wire u_node1_network_1_ready;                                // rtl/src/pixelflow/machine.rs:139
-    wire u_node1_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:139
-    wire back1_valid;                                            // rtl/src/pixelflow/machine.rs:117
-    wire back1_first;                                            // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node1_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
-    wire u_node2_texture_starts;                                 // rtl/src/pixelflow/machine.rs:139
-    wire u_node2_idle;                                           // rtl/src/pixelflow/machine.rs:139
-    wire u_node2_network_0_ready;                                // rtl/src/pixelflow/machine.rs:139
-    wire u_node2_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:139
-    wire forth2_valid;                                           // rtl/src/pixelflow/machine.rs:117
-    wire forth2_first;                                           // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node2_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
-    wire u_node2_network_1_ready;                                // rtl/src/pixelflow/machine.rs:139
-    wire u_node2_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:139
-    wire back2_valid;                                            // rtl/src/pixelflow/machine.rs:117
-    wire back2_first;                                            // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node2_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
-
-    wire [15:0] u_node0_network_1_upstream_bytes;                // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node1_network_0_upstream_bytes;                // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node1_network_1_upstream_bytes;                // rtl/src/pixelflow/machine.rs:117
-    wire [15:0] u_node2_network_0_upstream_bytes;                // rtl/src/pixelflow/machine.rs:117
-    wire go_forth = u_node0_network_0_ready & u_node1_network_0_ready & u_node2_network_0_ready; // rtl/src/pixelflow/machine.rs:119
-    wire go_back = u_node0_network_1_ready & u_node1_network_1_ready & u_node2_network_1_ready; // rtl/src/pixelflow/machine.rs:119
-    assign textures_start = {u_node2_texture_starts, u_node1_texture_starts, u_node0_texture_starts}; // rtl/src/pixelflow/machine.rs:145
-    assign idle = {u_node2_idle, u_node1_idle, u_node0_idle};    // rtl/src/pixelflow/machine.rs:145
-    assign without_job_0 = {u_node2_network_0_idle, u_node1_network_0_idle, u_node0_network_0_idle}; // rtl/src/pixelflow/machine.rs:145
-    assign without_job_1 = {u_node2_network_1_idle, u_node1_network_1_idle, u_node0_network_1_idle}; // rtl/src/pixelflow/machine.rs:145
+    wire go_forth;                                               // rtl/src/pixelflow/machine.rs:114
+    wire go_back;                                                // rtl/src/pixelflow/machine.rs:114
 
     genvar i;
+    genvar j;
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : forth0_bytes_row
-            wire [7:0] forth0_bytes = u_node0_network_0_downstream_bytes[i * 8 +: 8];
+        for (i = 0; i < 3; i = i + 1) begin : u_node_network_0_upstream_bytes_linked_cells_ahead
+            for (j = 0; j < 2; j = j + 1) begin : col
+                wire [7:0] u_node_network_0_upstream_bytes_linked;
+                wire [7:0] u_node_network_1_upstream_bytes_linked;
+            end
         end
     endgenerate
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : forth1_bytes_row
-            wire [7:0] forth1_bytes = u_node1_network_0_downstream_bytes[i * 8 +: 8];
+        for (i = 0; i < 3; i = i + 1) begin : u_node_texture_bytes_listed_cells
+            for (j = 0; j < 2; j = j + 1) begin : col
+                wire [7:0] u_node_texture_bytes_listed;
+                case (i)
+                    0: begin : u_node_texture_bytes_listed_0 assign u_node_texture_bytes_listed = textures_0_bytes[j * 8 +: 8]; end
+                    1: begin : u_node_texture_bytes_listed_1 assign u_node_texture_bytes_listed = textures_1_bytes[j * 8 +: 8]; end
+                    default: begin : u_node_texture_bytes_listed_2 assign u_node_texture_bytes_listed = textures_2_bytes[j * 8 +: 8]; end
+                endcase
+            end
+        end
+    endgenerate
+
+    wire [2:0] u_node_network_0_jobs_valid = {forth_2_valid, forth_1_valid, forth_0_valid};
+    wire [5:0] u_node_network_0_jobs_mode = {forth_2_mode, forth_1_mode, forth_0_mode};
+    wire [2:0] u_node_network_0_jobs_bank = {forth_2_bank, forth_1_bank, forth_0_bank};
+    wire [17:0] u_node_network_0_jobs_bytes = {forth_2_bytes, forth_1_bytes, forth_0_bytes};
+    wire [2:0] u_node_network_1_jobs_valid = {back_2_valid, back_1_valid, back_0_valid};
+    wire [5:0] u_node_network_1_jobs_mode = {back_2_mode, back_1_mode, back_0_mode};
+    wire [2:0] u_node_network_1_jobs_bank = {back_2_bank, back_1_bank, back_0_bank};
+    wire [17:0] u_node_network_1_jobs_bytes = {back_2_bytes, back_1_bytes, back_0_bytes};
+    wire [2:0] u_node_store_writes = {stores_2_writes, stores_1_writes, stores_0_writes};
+    wire [11:0] u_node_store_address = {stores_2_address, stores_1_address, stores_0_address};
+    wire [5:0] u_node_store_instruction_source = {stores_2_instruction_source, stores_1_instruction_source,
+            stores_0_instruction_source};
+    wire [11:0] u_node_store_instruction_function = {stores_2_instruction_function, stores_1_instruction_function,
+            stores_0_instruction_function};
+    wire [5:0] u_node_store_instruction_begin = {stores_2_instruction_begin, stores_1_instruction_begin,
+            stores_0_instruction_begin};
+    wire [5:0] u_node_store_instruction_mask = {
+        stores_2_instruction_mask, stores_1_instruction_mask, stores_0_instruction_mask
+    };
+    wire [2:0] u_node_store_instruction_accumulates = {stores_2_instruction_accumulates, stores_1_instruction_accumulates,
+            stores_0_instruction_accumulates};
+    wire [2:0] u_node_store_instruction_stores = {stores_2_instruction_stores, stores_1_instruction_stores,
+            stores_0_instruction_stores};
+    wire [5:0] u_node_store_instruction_condition = {stores_2_instruction_condition, stores_1_instruction_condition,
+            stores_0_instruction_condition};
+    wire [8:0] u_node_store_instruction_enabling = {stores_2_instruction_enabling, stores_1_instruction_enabling,
+            stores_0_instruction_enabling};
+    wire [5:0] u_node_store_instruction_flagging = {stores_2_instruction_flagging, stores_1_instruction_flagging,
+            stores_0_instruction_flagging};
+    wire [8:0] u_node_store_instruction_skip = {
+        stores_2_instruction_skip, stores_1_instruction_skip, stores_0_instruction_skip
+    };
+    wire [11:0] u_node_store_instruction_length = {stores_2_instruction_length, stores_1_instruction_length,
+            stores_0_instruction_length};
+    wire [2:0] u_node_store_instruction_descends = {stores_2_instruction_descends, stores_1_instruction_descends,
+            stores_0_instruction_descends};
+    wire [26:0] u_node_store_instruction_read = {
+        stores_2_instruction_read, stores_1_instruction_read, stores_0_instruction_read
+    };
+    wire [26:0] u_node_store_instruction_write = {stores_2_instruction_write, stores_1_instruction_write,
+            stores_0_instruction_write};
+    wire [8:0] u_node_store_instruction_sync = {
+        stores_2_instruction_sync, stores_1_instruction_sync, stores_0_instruction_sync
+    };
+    wire [119:0] u_node_store_instruction_a = {stores_2_instruction_a, stores_1_instruction_a, stores_0_instruction_a};
+    wire [119:0] u_node_store_instruction_b = {stores_2_instruction_b, stores_1_instruction_b, stores_0_instruction_b};
+    wire [119:0] u_node_store_instruction_c = {stores_2_instruction_c, stores_1_instruction_c, stores_0_instruction_c};
+    wire [2:0] u_node_frames_valid = {frames_2_valid, frames_1_valid, frames_0_valid};
+    wire [11:0] u_node_frames_base = {frames_2_base, frames_1_base, frames_0_base};
+    wire [14:0] u_node_frames_length = {frames_2_length, frames_1_length, frames_0_length};
+    wire [11:0] u_node_texture_pixel = {textures_2_pixel, textures_1_pixel, textures_0_pixel};
+    wire [17:0] u_node_texture_address = {textures_2_address, textures_1_address, textures_0_address};
+    wire [2:0] u_node_texture_writes = {textures_2_writes, textures_1_writes, textures_0_writes};
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : u_node                 // rtl/src/pixelflow/machine.rs:116
+            wire [15:0] texture_seen;
+            wire texture_starts;
+            wire lane_idle;
+            wire network_0_ready;
+            wire network_0_idle;
+            wire network_0_downstream_valid;
+            wire network_0_downstream_first;
+            wire [15:0] network_0_downstream_bytes;
+            wire network_1_ready;
+            wire network_1_idle;
+            wire network_1_downstream_valid;
+            wire network_1_downstream_first;
+            wire [15:0] network_1_downstream_bytes;
+            wire frames_ready;
+            wire network_0_jobs_ready;
+            wire network_1_jobs_ready;
+            wire network_0_jobs_valid = u_node_network_0_jobs_valid[i];
+            wire [1:0] network_0_jobs_mode = u_node_network_0_jobs_mode[i * 2 +: 2];
+            wire network_0_jobs_bank = u_node_network_0_jobs_bank[i];
+            wire [5:0] network_0_jobs_bytes = u_node_network_0_jobs_bytes[i * 6 +: 6];
+            wire network_1_jobs_valid = u_node_network_1_jobs_valid[i];
+            wire [1:0] network_1_jobs_mode = u_node_network_1_jobs_mode[i * 2 +: 2];
+            wire network_1_jobs_bank = u_node_network_1_jobs_bank[i];
+            wire [5:0] network_1_jobs_bytes = u_node_network_1_jobs_bytes[i * 6 +: 6];
+            wire store_writes = u_node_store_writes[i];
+            wire [3:0] store_address = u_node_store_address[i * 4 +: 4];
+            wire [1:0] store_instruction_source = u_node_store_instruction_source[i * 2 +: 2];
+            wire [3:0] store_instruction_function = u_node_store_instruction_function[i * 4 +: 4];
+            wire [1:0] store_instruction_begin = u_node_store_instruction_begin[i * 2 +: 2];
+            wire [1:0] store_instruction_mask = u_node_store_instruction_mask[i * 2 +: 2];
+            wire store_instruction_accumulates = u_node_store_instruction_accumulates[i];
+            wire store_instruction_stores = u_node_store_instruction_stores[i];
+            wire [1:0] store_instruction_condition = u_node_store_instruction_condition[i * 2 +: 2];
+            wire [2:0] store_instruction_enabling = u_node_store_instruction_enabling[i * 3 +: 3];
+            wire [1:0] store_instruction_flagging = u_node_store_instruction_flagging[i * 2 +: 2];
+            wire [2:0] store_instruction_skip = u_node_store_instruction_skip[i * 3 +: 3];
+            wire [3:0] store_instruction_length = u_node_store_instruction_length[i * 4 +: 4];
+            wire store_instruction_descends = u_node_store_instruction_descends[i];
+            wire [8:0] store_instruction_read = u_node_store_instruction_read[i * 9 +: 9];
+            wire [8:0] store_instruction_write = u_node_store_instruction_write[i * 9 +: 9];
+            wire [2:0] store_instruction_sync = u_node_store_instruction_sync[i * 3 +: 3];
+            wire [39:0] store_instruction_a = u_node_store_instruction_a[i * 40 +: 40];
+            wire [39:0] store_instruction_b = u_node_store_instruction_b[i * 40 +: 40];
+            wire [39:0] store_instruction_c = u_node_store_instruction_c[i * 40 +: 40];
+            wire frames_valid = u_node_frames_valid[i];
+            wire [3:0] frames_base = u_node_frames_base[i * 4 +: 4];
+            wire [4:0] frames_length = u_node_frames_length[i * 5 +: 5];
+            wire [3:0] texture_pixel = u_node_texture_pixel[i * 4 +: 4];
+            wire [5:0] texture_address = u_node_texture_address[i * 6 +: 6];
+            wire texture_writes = u_node_texture_writes[i];
+            wire network_0_upstream_valid;
+            if (i < 1) begin : network_0_upstream_valid_edge
+                assign network_0_upstream_valid = 1'b0;
+            end else begin : network_0_upstream_valid_link
+                assign network_0_upstream_valid = u_node[i - 1].network_0_downstream_valid;
+            end
+            wire network_0_upstream_first;
+            if (i < 1) begin : network_0_upstream_first_edge
+                assign network_0_upstream_first = 1'b0;
+            end else begin : network_0_upstream_first_link
+                assign network_0_upstream_first = u_node[i - 1].network_0_downstream_first;
+            end
+            wire network_1_upstream_valid;
+            if (i >= 2) begin : network_1_upstream_valid_edge
+                assign network_1_upstream_valid = 1'b0;
+            end else begin : network_1_upstream_valid_link
+                assign network_1_upstream_valid = u_node[i + 1].network_1_downstream_valid;
+            end
+            wire network_1_upstream_first;
+            if (i >= 2) begin : network_1_upstream_first_edge
+                assign network_1_upstream_first = 1'b0;
+            end else begin : network_1_upstream_first_link
+                assign network_1_upstream_first = u_node[i + 1].network_1_downstream_first;
+            end
+            wire [15:0] u_node_texture_bytes;
+            for (j = 0; j < 2; j = j + 1) begin : u_node_texture_bytes_of
+                assign u_node_texture_bytes[j * 8 +: 8] = u_node_texture_bytes_listed_cells[i].col[j].u_node_texture_bytes_listed;
+            end
+            wire [15:0] u_node_network_0_upstream_bytes;
+            for (j = 0; j < 2; j = j + 1) begin : u_node_network_0_upstream_bytes_of
+                assign u_node_network_0_upstream_bytes[j * 8 +: 8] = u_node_network_0_upstream_bytes_linked_cells_ahead[i].col[j].u_node_network_0_upstream_bytes_linked;
+            end
+            wire [15:0] u_node_network_1_upstream_bytes;
+            for (j = 0; j < 2; j = j + 1) begin : u_node_network_1_upstream_bytes_of
+                assign u_node_network_1_upstream_bytes[j * 8 +: 8] = u_node_network_0_upstream_bytes_linked_cells_ahead[i].col[j].u_node_network_1_upstream_bytes_linked;
+            end
+
+            node_array_pixel_array_width8_height4_words16_setup2 lane (
+                .array_clk                     (array_clk),
+                .array_rst                     (array_rst),
+                .network_clk                   (network_clk),
+                .network_rst                   (network_rst),
+                .store_writes                  (store_writes),
+                .store_address                 (store_address),
+                .store_instruction_source      (store_instruction_source),
+                .store_instruction_function    (store_instruction_function),
+                .store_instruction_begin       (store_instruction_begin),
+                .store_instruction_mask        (store_instruction_mask),
+                .store_instruction_accumulates (store_instruction_accumulates),
+                .store_instruction_stores      (store_instruction_stores),
+                .store_instruction_condition   (store_instruction_condition),
+                .store_instruction_enabling    (store_instruction_enabling),
+                .store_instruction_flagging    (store_instruction_flagging),
+                .store_instruction_skip        (store_instruction_skip),
+                .store_instruction_length      (store_instruction_length),
+                .store_instruction_descends    (store_instruction_descends),
+                .store_instruction_read        (store_instruction_read),
+                .store_instruction_write       (store_instruction_write),
+                .store_instruction_sync        (store_instruction_sync),
+                .store_instruction_a           (store_instruction_a),
+                .store_instruction_b           (store_instruction_b),
+                .store_instruction_c           (store_instruction_c),
+                .frames_valid                  (frames_valid),
+                .frames_base                   (frames_base),
+                .frames_length                 (frames_length),
+                .side_by_side                  (side_by_side),
+                .texture_pixel                 (texture_pixel),
+                .texture_address               (texture_address),
+                .texture_writes                (texture_writes),
+                .texture_bytes                 (u_node_texture_bytes),
+                .texture_done                  (textures_done[i]),
+                .network_0_jobs_valid          (network_0_jobs_valid),
+                .network_0_jobs_mode           (network_0_jobs_mode),
+                .network_0_jobs_bank           (network_0_jobs_bank),
+                .network_0_jobs_bytes          (network_0_jobs_bytes),
+                .network_0_go                  (go_forth),
+                .network_0_upstream_valid      (network_0_upstream_valid),
+                .network_0_upstream_first      (network_0_upstream_first),
+                .network_0_upstream_bytes      (u_node_network_0_upstream_bytes),
+                .network_1_jobs_valid          (network_1_jobs_valid),
+                .network_1_jobs_mode           (network_1_jobs_mode),
+                .network_1_jobs_bank           (network_1_jobs_bank),
+                .network_1_jobs_bytes          (network_1_jobs_bytes),
+                .network_1_go                  (go_back),
+                .network_1_upstream_valid      (network_1_upstream_valid),
+                .network_1_upstream_first      (network_1_upstream_first),
+                .network_1_upstream_bytes      (u_node_network_1_upstream_bytes),
+                .texture_seen                  (texture_seen),
+                .texture_starts                (texture_starts),
+                .idle                          (lane_idle),
+                .network_0_ready               (network_0_ready),
+                .network_0_idle                (network_0_idle),
+                .network_0_downstream_valid    (network_0_downstream_valid),
+                .network_0_downstream_first    (network_0_downstream_first),
+                .network_0_downstream_bytes    (network_0_downstream_bytes),
+                .network_1_ready               (network_1_ready),
+                .network_1_idle                (network_1_idle),
+                .network_1_downstream_valid    (network_1_downstream_valid),
+                .network_1_downstream_first    (network_1_downstream_first),
+                .network_1_downstream_bytes    (network_1_downstream_bytes),
+                .frames_ready                  (frames_ready),
+                .network_0_jobs_ready          (network_0_jobs_ready),
+                .network_1_jobs_ready          (network_1_jobs_ready)
+            );
         end
     endgenerate
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : forth2_bytes_row
-            wire [7:0] forth2_bytes = u_node2_network_0_downstream_bytes[i * 8 +: 8];
+        for (i = 0; i < 3; i = i + 1) begin : u_node_network_0_upstream_bytes_linked_cells
+            for (j = 0; j < 2; j = j + 1) begin : col
+                if (i < 1) begin : u_node_network_0_upstream_bytes_linked_edge
+                    assign u_node_network_0_upstream_bytes_linked_cells_ahead[i].col[j].u_node_network_0_upstream_bytes_linked = 8'd0;
+                end else begin : u_node_network_0_upstream_bytes_linked_link
+                    assign u_node_network_0_upstream_bytes_linked_cells_ahead[i].col[j].u_node_network_0_upstream_bytes_linked = u_node[i - 1].network_0_downstream_bytes[j * 8 +: 8];
+                end
+                if (i >= 2) begin : u_node_network_1_upstream_bytes_linked_edge
+                    assign u_node_network_0_upstream_bytes_linked_cells_ahead[i].col[j].u_node_network_1_upstream_bytes_linked = 8'd0;
+                end else begin : u_node_network_1_upstream_bytes_linked_link
+                    assign u_node_network_0_upstream_bytes_linked_cells_ahead[i].col[j].u_node_network_1_upstream_bytes_linked = u_node[i + 1].network_1_downstream_bytes[j * 8 +: 8];
+                end
+            end
         end
     endgenerate
 
+    assign frames_0_ready = u_node[0].frames_ready;              // rtl/src/pixelflow/machine.rs:120
+    assign frames_1_ready = u_node[1].frames_ready;              // rtl/src/pixelflow/machine.rs:120
+    assign frames_2_ready = u_node[2].frames_ready;              // rtl/src/pixelflow/machine.rs:120
+    assign forth_0_ready = u_node[0].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:115
+    assign forth_1_ready = u_node[1].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:115
+    assign forth_2_ready = u_node[2].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:115
+    assign back_0_ready = u_node[0].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:115
+    assign back_1_ready = u_node[1].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:115
+    assign back_2_ready = u_node[2].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:115
+    wire [2:0] go_forth_lanes;
     generate
-        for (i = 0; i < 2; i = i + 1) begin : back0_bytes_row
-            wire [7:0] back0_bytes = u_node0_network_1_downstream_bytes[i * 8 +: 8];
+        for (i = 0; i < 3; i = i + 1) begin : go_forth_of
+            assign go_forth_lanes[i] = u_node[i].network_0_ready;
         end
     endgenerate
-
+    assign go_forth = &go_forth_lanes;                           // rtl/src/pixelflow/machine.rs:114
+    wire [2:0] go_back_lanes;
     generate
-        for (i = 0; i < 2; i = i + 1) begin : back1_bytes_row
-            wire [7:0] back1_bytes = u_node1_network_1_downstream_bytes[i * 8 +: 8];
+        for (i = 0; i < 3; i = i + 1) begin : go_back_of
+            assign go_back_lanes[i] = u_node[i].network_1_ready;
         end
     endgenerate
-
+    assign go_back = &go_back_lanes;                             // rtl/src/pixelflow/machine.rs:114
     generate
-        for (i = 0; i < 2; i = i + 1) begin : back2_bytes_row
-            wire [7:0] back2_bytes = u_node2_network_1_downstream_bytes[i * 8 +: 8];
-        end
-    endgenerate
-
-    node_array_pixel_array_width8_height4_words16_setup2 u_node0 ( // rtl/src/pixelflow/machine.rs:139
-        .array_clk                     (array_clk),
-        .array_rst                     (array_rst),
-        .network_clk                   (network_clk),
-        .network_rst                   (network_rst),
-        .store_writes                  (stores_0_writes),
-        .store_address                 (stores_0_address),
-        .store_instruction_source      (stores_0_instruction_source),
-        .store_instruction_function    (stores_0_instruction_function),
-        .store_instruction_begin       (stores_0_instruction_begin),
-        .store_instruction_mask        (stores_0_instruction_mask),
-        .store_instruction_accumulates (stores_0_instruction_accumulates),
-        .store_instruction_stores      (stores_0_instruction_stores),
-        .store_instruction_condition   (stores_0_instruction_condition),
-        .store_instruction_enabling    (stores_0_instruction_enabling),
-        .store_instruction_flagging    (stores_0_instruction_flagging),
-        .store_instruction_skip        (stores_0_instruction_skip),
-        .store_instruction_length      (stores_0_instruction_length),
-        .store_instruction_descends    (stores_0_instruction_descends),
-        .store_instruction_read        (stores_0_instruction_read),
-        .store_instruction_write       (stores_0_instruction_write),
-        .store_instruction_sync        (stores_0_instruction_sync),
-        .store_instruction_a           (stores_0_instruction_a),
-        .store_instruction_b           (stores_0_instruction_b),
-        .store_instruction_c           (stores_0_instruction_c),
-        .frames_valid                  (frames_0_valid),
-        .frames_base                   (frames_0_base),
-        .frames_length                 (frames_0_length),
-        .side_by_side                  (side_by_side),
-        .texture_pixel                 (textures_0_pixel),
-        .texture_address               (textures_0_address),
-        .texture_writes                (textures_0_writes),
-        .texture_bytes                 (textures_0_bytes),
-        .texture_done                  (textures_done[0]),
-        .network_0_jobs_valid          (forth_0_valid),
-        .network_0_jobs_mode           (forth_0_mode),
-        .network_0_jobs_bank           (forth_0_bank),
-        .network_0_jobs_bytes          (forth_0_bytes),
-        .network_0_go                  (go_forth),
-        .network_0_upstream_valid      (1'b0),
-        .network_0_upstream_first      (1'b0),
-        .network_0_upstream_bytes      (16'd0),
-        .network_1_jobs_valid          (back_0_valid),
-        .network_1_jobs_mode           (back_0_mode),
-        .network_1_jobs_bank           (back_0_bank),
-        .network_1_jobs_bytes          (back_0_bytes),
-        .network_1_go                  (go_back),
-        .network_1_upstream_valid      (back1_valid),
-        .network_1_upstream_first      (back1_first),
-        .network_1_upstream_bytes      (u_node0_network_1_upstream_bytes),
-        .texture_seen                  (texture_seen_0),
-        .texture_starts                (u_node0_texture_starts),
-        .idle                          (u_node0_idle),
-        .network_0_ready               (u_node0_network_0_ready),
-        .network_0_idle                (u_node0_network_0_idle),
-        .network_0_downstream_valid    (forth0_valid),
-        .network_0_downstream_first    (forth0_first),
-        .network_0_downstream_bytes    (u_node0_network_0_downstream_bytes),
-        .network_1_ready               (u_node0_network_1_ready),
-        .network_1_idle                (u_node0_network_1_idle),
-        .network_1_downstream_valid    (back0_valid),
-        .network_1_downstream_first    (back0_first),
-        .network_1_downstream_bytes    (u_node0_network_1_downstream_bytes),
-        .frames_ready                  (frames_0_ready),
-        .network_0_jobs_ready          (forth_0_ready),
-        .network_1_jobs_ready          (back_0_ready)
-    );
-
-    node_array_pixel_array_width8_height4_words16_setup2 u_node1 ( // rtl/src/pixelflow/machine.rs:139
-        .array_clk                     (array_clk),
-        .array_rst                     (array_rst),
-        .network_clk                   (network_clk),
-        .network_rst                   (network_rst),
-        .store_writes                  (stores_1_writes),
-        .store_address                 (stores_1_address),
-        .store_instruction_source      (stores_1_instruction_source),
-        .store_instruction_function    (stores_1_instruction_function),
-        .store_instruction_begin       (stores_1_instruction_begin),
-        .store_instruction_mask        (stores_1_instruction_mask),
-        .store_instruction_accumulates (stores_1_instruction_accumulates),
-        .store_instruction_stores      (stores_1_instruction_stores),
-        .store_instruction_condition   (stores_1_instruction_condition),
-        .store_instruction_enabling    (stores_1_instruction_enabling),
-        .store_instruction_flagging    (stores_1_instruction_flagging),
-        .store_instruction_skip        (stores_1_instruction_skip),
-        .store_instruction_length      (stores_1_instruction_length),
-        .store_instruction_descends    (stores_1_instruction_descends),
-        .store_instruction_read        (stores_1_instruction_read),
-        .store_instruction_write       (stores_1_instruction_write),
-        .store_instruction_sync        (stores_1_instruction_sync),
-        .store_instruction_a           (stores_1_instruction_a),
-        .store_instruction_b           (stores_1_instruction_b),
-        .store_instruction_c           (stores_1_instruction_c),
-        .frames_valid                  (frames_1_valid),
-        .frames_base                   (frames_1_base),
-        .frames_length                 (frames_1_length),
-        .side_by_side                  (side_by_side),
-        .texture_pixel                 (textures_1_pixel),
-        .texture_address               (textures_1_address),
-        .texture_writes                (textures_1_writes),
-        .texture_bytes                 (textures_1_bytes),
-        .texture_done                  (textures_done[1]),
-        .network_0_jobs_valid          (forth_1_valid),
-        .network_0_jobs_mode           (forth_1_mode),
-        .network_0_jobs_bank           (forth_1_bank),
-        .network_0_jobs_bytes          (forth_1_bytes),
-        .network_0_go                  (go_forth),
-        .network_0_upstream_valid      (forth0_valid),
-        .network_0_upstream_first      (forth0_first),
-        .network_0_upstream_bytes      (u_node1_network_0_upstream_bytes),
-        .network_1_jobs_valid          (back_1_valid),
-        .network_1_jobs_mode           (back_1_mode),
-        .network_1_jobs_bank           (back_1_bank),
-        .network_1_jobs_bytes          (back_1_bytes),
-        .network_1_go                  (go_back),
-        .network_1_upstream_valid      (back2_valid),
-        .network_1_upstream_first      (back2_first),
-        .network_1_upstream_bytes      (u_node1_network_1_upstream_bytes),
-        .texture_seen                  (texture_seen_1),
-        .texture_starts                (u_node1_texture_starts),
-        .idle                          (u_node1_idle),
-        .network_0_ready               (u_node1_network_0_ready),
-        .network_0_idle                (u_node1_network_0_idle),
-        .network_0_downstream_valid    (forth1_valid),
-        .network_0_downstream_first    (forth1_first),
-        .network_0_downstream_bytes    (u_node1_network_0_downstream_bytes),
-        .network_1_ready               (u_node1_network_1_ready),
-        .network_1_idle                (u_node1_network_1_idle),
-        .network_1_downstream_valid    (back1_valid),
-        .network_1_downstream_first    (back1_first),
-        .network_1_downstream_bytes    (u_node1_network_1_downstream_bytes),
-        .frames_ready                  (frames_1_ready),
-        .network_0_jobs_ready          (forth_1_ready),
-        .network_1_jobs_ready          (back_1_ready)
-    );
-
-    node_array_pixel_array_width8_height4_words16_setup2 u_node2 ( // rtl/src/pixelflow/machine.rs:139
-        .array_clk                     (array_clk),
-        .array_rst                     (array_rst),
-        .network_clk                   (network_clk),
-        .network_rst                   (network_rst),
-        .store_writes                  (stores_2_writes),
-        .store_address                 (stores_2_address),
-        .store_instruction_source      (stores_2_instruction_source),
-        .store_instruction_function    (stores_2_instruction_function),
-        .store_instruction_begin       (stores_2_instruction_begin),
-        .store_instruction_mask        (stores_2_instruction_mask),
-        .store_instruction_accumulates (stores_2_instruction_accumulates),
-        .store_instruction_stores      (stores_2_instruction_stores),
-        .store_instruction_condition   (stores_2_instruction_condition),
-        .store_instruction_enabling    (stores_2_instruction_enabling),
-        .store_instruction_flagging    (stores_2_instruction_flagging),
-        .store_instruction_skip        (stores_2_instruction_skip),
-        .store_instruction_length      (stores_2_instruction_length),
-        .store_instruction_descends    (stores_2_instruction_descends),
-        .store_instruction_read        (stores_2_instruction_read),
-        .store_instruction_write       (stores_2_instruction_write),
-        .store_instruction_sync        (stores_2_instruction_sync),
-        .store_instruction_a           (stores_2_instruction_a),
-        .store_instruction_b           (stores_2_instruction_b),
-        .store_instruction_c           (stores_2_instruction_c),
-        .frames_valid                  (frames_2_valid),
-        .frames_base                   (frames_2_base),
-        .frames_length                 (frames_2_length),
-        .side_by_side                  (side_by_side),
-        .texture_pixel                 (textures_2_pixel),
-        .texture_address               (textures_2_address),
-        .texture_writes                (textures_2_writes),
-        .texture_bytes                 (textures_2_bytes),
-        .texture_done                  (textures_done[2]),
-        .network_0_jobs_valid          (forth_2_valid),
-        .network_0_jobs_mode           (forth_2_mode),
-        .network_0_jobs_bank           (forth_2_bank),
-        .network_0_jobs_bytes          (forth_2_bytes),
-        .network_0_go                  (go_forth),
-        .network_0_upstream_valid      (forth1_valid),
-        .network_0_upstream_first      (forth1_first),
-        .network_0_upstream_bytes      (u_node2_network_0_upstream_bytes),
-        .network_1_jobs_valid          (back_2_valid),
-        .network_1_jobs_mode           (back_2_mode),
-        .network_1_jobs_bank           (back_2_bank),
-        .network_1_jobs_bytes          (back_2_bytes),
-        .network_1_go                  (go_back),
-        .network_1_upstream_valid      (1'b0),
-        .network_1_upstream_first      (1'b0),
-        .network_1_upstream_bytes      (16'd0),
-        .texture_seen                  (texture_seen_2),
-        .texture_starts                (u_node2_texture_starts),
-        .idle                          (u_node2_idle),
-        .network_0_ready               (u_node2_network_0_ready),
-        .network_0_idle                (u_node2_network_0_idle),
-        .network_0_downstream_valid    (forth2_valid),
-        .network_0_downstream_first    (forth2_first),
-        .network_0_downstream_bytes    (u_node2_network_0_downstream_bytes),
-        .network_1_ready               (u_node2_network_1_ready),
-        .network_1_idle                (u_node2_network_1_idle),
-        .network_1_downstream_valid    (back2_valid),
-        .network_1_downstream_first    (back2_first),
-        .network_1_downstream_bytes    (u_node2_network_1_downstream_bytes),
-        .frames_ready                  (frames_2_ready),
-        .network_0_jobs_ready          (forth_2_ready),
-        .network_1_jobs_ready          (back_2_ready)
-    );
-
-    generate
-        for (i = 0; i < 2; i = i + 1) begin : u_node0_network_1_upstream_bytes_of
-            assign u_node0_network_1_upstream_bytes[i * 8 +: 8] = back1_bytes_row[i].back1_bytes;
+        for (i = 0; i < 2; i = i + 1) begin : texture_seen_0_of
+            assign texture_seen_0[i * 8 +: 8] = u_node[0].texture_seen[i * 8 +: 8];
         end
     endgenerate
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_node1_network_0_upstream_bytes_of
-            assign u_node1_network_0_upstream_bytes[i * 8 +: 8] = forth0_bytes_row[i].forth0_bytes;
+        for (i = 0; i < 2; i = i + 1) begin : texture_seen_1_of
+            assign texture_seen_1[i * 8 +: 8] = u_node[1].texture_seen[i * 8 +: 8];
         end
     endgenerate
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_node1_network_1_upstream_bytes_of
-            assign u_node1_network_1_upstream_bytes[i * 8 +: 8] = back2_bytes_row[i].back2_bytes;
+        for (i = 0; i < 2; i = i + 1) begin : texture_seen_2_of
+            assign texture_seen_2[i * 8 +: 8] = u_node[2].texture_seen[i * 8 +: 8];
         end
     endgenerate
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_node2_network_0_upstream_bytes_of
-            assign u_node2_network_0_upstream_bytes[i * 8 +: 8] = forth1_bytes_row[i].forth1_bytes;
+        for (i = 0; i < 3; i = i + 1) begin : textures_start_of
+            assign textures_start[i] = u_node[i].texture_starts;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : idle_of
+            assign idle[i] = u_node[i].lane_idle;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : without_job_0_of
+            assign without_job_0[i] = u_node[i].network_0_idle;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : without_job_1_of
+            assign without_job_1[i] = u_node[i].network_1_idle;
         end
     endgenerate
     generate
         for (i = 0; i < 2; i = i + 1) begin : off_0_bytes_of
-            assign off_0_bytes[i * 8 +: 8] = forth2_bytes_row[i].forth2_bytes;
+            assign off_0_bytes[i * 8 +: 8] = u_node[2].network_0_downstream_bytes[i * 8 +: 8];
         end
     endgenerate
     generate
         for (i = 0; i < 2; i = i + 1) begin : off_1_bytes_of
-            assign off_1_bytes[i * 8 +: 8] = back0_bytes_row[i].back0_bytes;
+            assign off_1_bytes[i * 8 +: 8] = u_node[0].network_1_downstream_bytes[i * 8 +: 8];
         end
     endgenerate
 
     assign go_0 = go_forth;
     assign go_1 = go_back;
-    assign off_0_valid = forth2_valid;
-    assign off_0_first = forth2_first;
-    assign off_1_valid = back0_valid;
-    assign off_1_first = back0_first;
+    assign off_0_valid = u_node[2].network_0_downstream_valid;
+    assign off_0_first = u_node[2].network_0_downstream_first;
+    assign off_1_valid = u_node[0].network_1_downstream_valid;
+    assign off_1_first = u_node[0].network_1_downstream_first;
 endmodule
 `default_nettype wire

@@ -175,7 +175,7 @@ proptest! {
         for region in 0..words[0].len() {
             for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
                 let byte = |address: u64| {
-                    let path = format!("u_node0.u_array.u_pixel[{}][{}].memory", y / 2, y % 2 * width + x);
+                    let path = format!("u_node[0].u_array.u_pixel[{}][{}].memory", y / 2, y % 2 * width + x);
                     let address = 8 * region as u64 + address;
                     host.sim.peek_memory(&path, address as u32).unwrap().to_u64().unwrap() << (8 * (address % 8))
                 };
