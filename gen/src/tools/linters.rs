@@ -1,6 +1,7 @@
 //! The linters, each at its strictest, for one design or for several in one process.
 
-use super::run::{Folder, MODELS, Verilator, has_pyslang, is_installed, lacks, missing, problem, sources, top};
+use super::WITH_MODELS;
+use super::run::{Folder, Verilator, has_pyslang, is_installed, lacks, missing, problem, sources, top};
 use super::{Linted, Problem, Problems};
 use crate::VerilogFile;
 use std::collections::BTreeMap;
@@ -202,7 +203,7 @@ fn verilator(folder: &Folder, designs: &[Files], verilator: Verilator) -> (bool,
     let mut command = verilator.command().expect("it is installed");
     // If each lane reads the next one's net twice, Verilator 5.006 doubles the text of a lane in its graph optimizer,
     // and exhausts all memory.
-    command.args(["--lint-only", "-Wall", "-fno-dfg", MODELS]);
+    command.args(["--lint-only", "-Wall", "-fno-dfg", WITH_MODELS]);
     match designs {
         [files] => command.args(["--top-module", top(files)]),
         _ => command.arg("-Wno-MULTITOP"),
@@ -213,7 +214,7 @@ fn verilator(folder: &Folder, designs: &[Files], verilator: Verilator) -> (bool,
 
 fn icarus(folder: &Folder, designs: &[Files]) -> (bool, String) {
     let mut command = Command::new("iverilog");
-    command.args(["-g2005", "-Wall", "-t", "null", MODELS]);
+    command.args(["-g2005", "-Wall", "-t", "null", WITH_MODELS]);
     command.args(tops(designs).iter().flat_map(|top| ["-s", top]));
     let (succeeded, output) = folder.run(command.args(all_sources(designs)));
     (succeeded && output.is_empty(), output)
@@ -224,8 +225,10 @@ fn yosys(folder: &Folder, designs: &[Files], name: &str) -> (bool, String) {
         [files] => format!("hierarchy -check -top {}", top(files)),
         _ => "hierarchy -check".to_string(),
     };
-    let script =
-        format!("read_verilog {MODELS} {}; {hierarchy}; proc -noopt; check -assert", all_sources(designs).join(" "));
+    let script = format!(
+        "read_verilog {WITH_MODELS} {}; {hierarchy}; proc -noopt; check -assert",
+        all_sources(designs).join(" ")
+    );
     let (succeeded, output) = folder.run(Command::new(name).args(["-q", "-p", &script]));
     (succeeded && !output.contains("Warning"), output)
 }

@@ -19,6 +19,8 @@ pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
 pub use run::{skipped, skipped_without};
 pub use synthesis::{Target, cells};
 
+pub use crate::verilog::{WITH_COVERS, WITH_MODELS};
+
 use std::fmt;
 
 /// The outcome of a check that found no fault.

@@ -1,7 +1,8 @@
 //! A simulator of a design, built by Verilator and clang: the fastest one for Verilog without threads, for
 //! comparisons of speed.
 
-use super::run::{Folder, MODELS, Verilator, is_installed, problem, programs, sources};
+use super::WITH_MODELS;
+use super::run::{Folder, Verilator, is_installed, problem, programs, sources};
 use super::{Missing, Problems};
 use crate::VerilogFile;
 use std::num::NonZeroUsize;
@@ -176,7 +177,7 @@ impl Compiler {
             "fast",
             "--no-assert",
             "-DSYNTHESIS",
-            MODELS,
+            WITH_MODELS,
         ]);
         command.args(["-Wno-fatal", "-Wno-lint", "-Wno-style"]);
         command.args(["--prefix", "Vmodel", "--Mdir", BUILD, "-o", "model", "--top-module", top]);

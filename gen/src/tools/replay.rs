@@ -1,7 +1,8 @@
 //! Replays: a testbench in Icarus and in Verilator, and a dump against the printed Verilog in Yosys.
 
+use super::WITH_MODELS;
 use super::binary::{installed, verilated_by};
-use super::run::{Folder, MODELS, problem, skipped_without, sources, top};
+use super::run::{Folder, problem, skipped_without, sources, top};
 use super::{Checked, Problems};
 use crate::VerilogFile;
 use std::path::Path;
@@ -39,7 +40,7 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
     }
     let folder = folder_with(files, bench);
     let mut compile = Command::new("iverilog");
-    compile.args(["-g2005", "-Wall", MODELS, "-o", "bench.vvp", &bench.name]).args(sources(files));
+    compile.args(["-g2005", "-Wall", WITH_MODELS, "-o", "bench.vvp", &bench.name]).args(sources(files));
     let (succeeded, output) = folder.run(&mut compile);
     if !succeeded || !output.is_empty() {
         return Err(problem("iverilog", output));
@@ -69,7 +70,7 @@ pub fn replay_in_verilator(files: &[VerilogFile], bench: &VerilogFile) -> Result
     let all: Vec<&str> = [bench.name.as_str()].into_iter().chain(sources(files)).collect();
     for verilator in installed() {
         let folder = folder_with(files, bench);
-        let program = verilated_by(verilator, folder.path(), &all, top, &[MODELS])?;
+        let program = verilated_by(verilator, folder.path(), &all, top, &[WITH_MODELS])?;
         let Some(program) = program else { return Ok(Checked::Skipped) };
         let (succeeded, output) = folder.run(&mut Command::new(program));
         let _ = verdict(verilator.name(), succeeded, output)?;
@@ -126,7 +127,7 @@ pub fn yosys_replay_vcd(files: &[VerilogFile], dump: &Path, scope: &str, clocks:
     let clocks: String = clocks.iter().map(|clock| format!("-clock {clock} ")).collect();
     let (sources, top) = (sources(files).join(" "), top(files));
     let script = format!(
-        "read_verilog {MODELS} {sources}; prep -top {top}; sim -zinit -r {copy} -scope {scope} {clocks}-sim-cmp {top}"
+        "read_verilog {WITH_MODELS} {sources}; prep -top {top}; sim -zinit -r {copy} -scope {scope} {clocks}-sim-cmp {top}"
     );
     let (succeeded, output) = folder.run(Command::new("yosys").args(["-q", "-p", &script]));
     if succeeded && !output.contains("ERROR") { Ok(Checked::Passed) } else { Err(problem("yosys", output)) }

@@ -42,9 +42,6 @@ pub fn run_in(folder: &Path, command: &mut Command) -> (bool, String) {
     (output.status.success(), String::from_utf8_lossy(&text).into_owned())
 }
 
-/// Puts models in the place of foreign modules.
-pub const MODELS: &str = "-DTILEWRIGHT_MODELS";
-
 /// The names of the Verilog files.
 pub fn sources(files: &[VerilogFile]) -> Vec<&str> {
     files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect()

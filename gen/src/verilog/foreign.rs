@@ -6,8 +6,15 @@ use super::text::{attribute, escaped, mark};
 use tilewright_hdl::Loc;
 use tilewright_hdl::ir::{Foreign, Module, Parameter};
 
+/// The option with which simulators and linters take the models of foreign modules.
+///
+/// ```
+/// assert_eq!(tilewright_gen::tools::WITH_MODELS, "-DTILEWRIGHT_MODELS");
+/// ```
+pub const WITH_MODELS: &str = "-DTILEWRIGHT_MODELS";
+
 /// With this macro, models stand for foreign modules.
-pub const MODELS: &str = "TILEWRIGHT_MODELS";
+pub const MODELS: &str = WITH_MODELS.split_at(2).1;
 
 /// The connections of an instance: those of both the module and its model, and those of the module alone.
 type Connections<'a> = (&'a [(String, String)], Vec<(String, String)>);

@@ -41,10 +41,11 @@ mod usage;
 
 use crate::VerilogFile;
 pub use fold::lower::packed_width;
+pub use foreign::WITH_MODELS;
 pub use layout::{connect, range};
 pub use literal::pattern;
 use printer::Printer;
-pub use properties::stop;
+pub use properties::{WITH_COVERS, stop};
 pub use scope::Names;
 pub use state::{ModuleState, ScopeState, State};
 use tilewright_hdl::ir::{Design, Module};

@@ -10,8 +10,15 @@ use super::text::format_text;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{ClockId, Directive, Format, Kind, Names, NodeId, Op, Piece, Property, Shown, Unary};
 
+/// The option with which a simulator compiles that covers are printed.
+///
+/// ```
+/// assert_eq!(tilewright_gen::tools::WITH_COVERS, "-DTILEWRIGHT_COVERS");
+/// ```
+pub const WITH_COVERS: &str = "-DTILEWRIGHT_COVERS";
+
 /// The macro with which covers are printed: they do not matter in simulations of other people.
-pub const PRINTS_COVERS: &str = "TILEWRIGHT_COVERS";
+pub const PRINTS_COVERS: &str = WITH_COVERS.split_at(2).1;
 
 /// Ends a simulation with a non-zero status. Without a terminal, Icarus ends with status 0 at `$stop`.
 pub fn stop() -> Vec<String> {

@@ -10,7 +10,8 @@ use std::fmt::Write;
 use std::fs::File;
 use std::process::Command;
 use tempfile::TempDir;
-use tilewright_gen::{VerilogFile, tools};
+use tilewright_gen::VerilogFile;
+use tilewright_gen::tools::{self, WITH_COVERS, WITH_MODELS};
 
 /// A design that was printed, with the testbench that replays its run.
 #[derive(Debug, Clone)]
@@ -71,14 +72,8 @@ pub enum Refused {
     Itself(String),
 }
 
-/// The option with which a simulator compiles that covers are printed.
-const PRINT_COVERS: &str = "-DTILEWRIGHT_COVERS";
-
 /// What the text of a display begins with in a random design. The design's prefix follows.
 pub(crate) const SHOWN: &str = "SHOWN ";
-
-/// The option with which models stand for foreign modules.
-const MODELS: &str = "-DTILEWRIGHT_MODELS";
 
 /// Seconds of processor time for benches that come to an end: more than they need.
 pub const PATIENCE: u64 = 300;
@@ -187,7 +182,7 @@ pub(crate) fn temporary_folder() -> TempDir {
 }
 
 fn icarus(folder: &TempDir, seconds: u64) -> Result<String, Refused> {
-    let compile = ["-g2005", "-s", "all_benches", PRINT_COVERS, MODELS, "-o", "all_benches.vvp", "all_benches.v"];
+    let compile = ["-g2005", "-s", "all_benches", WITH_COVERS, WITH_MODELS, "-o", "all_benches.vvp", "all_benches.v"];
     let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile));
     if !succeeded {
         // An assertion of its own is no complaint.
@@ -206,7 +201,7 @@ pub(crate) fn limited(program: impl AsRef<OsStr>, seconds: u64) -> Command {
 
 fn verilator(folder: &TempDir, without: &[&str]) -> Result<String, Refused> {
     // Gates put into the code of the benches would double the C++.
-    let flags = [&["-Wno-fatal", "-Wno-lint", "-fno-gate", PRINT_COVERS, MODELS], without].concat();
+    let flags = [&["-Wno-fatal", "-Wno-lint", "-fno-gate", WITH_COVERS, WITH_MODELS], without].concat();
     match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &flags) {
         Ok(Some(program)) => Ok(execute(folder, &mut Command::new(program)).1),
         Ok(None) => Err(Refused::Itself("it is not installed".to_owned())),
