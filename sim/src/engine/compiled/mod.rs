@@ -332,7 +332,7 @@ impl Engine for Compiled {
         self.any_reset = self.resets.contains(&true);
         self.latest = None;
         self.unready();
-        if high && self.program.clocks[clock].kind.is_asynchronous() {
+        if self.program.resets_at_once(clock, high) {
             self.reset(&[clock]);
             self.wake_clocks();
             self.change(Triggers::state(clock));

@@ -339,13 +339,14 @@ impl Program {
         Value { lanes, width, offset, segment }
     }
 
-    /// The registers that change at once when a clock's reset becomes this: those of an asynchronous one.
+    /// Whether registers change at once when a clock's reset becomes this: those of an asynchronous one.
+    pub(crate) fn resets_at_once(&self, clock: usize, is_active: bool) -> bool {
+        is_active && self.clocks[clock].kind.is_asynchronous()
+    }
+
+    /// The registers that change at once when a clock's reset becomes this.
     pub(crate) fn reset_at_once(&self, clock: usize, is_active: bool) -> impl Iterator<Item = &Register> {
-        let registers = if is_active && self.clocks[clock].kind.is_asynchronous() {
-            self.clocks[clock].registers.as_slice()
-        } else {
-            &[]
-        };
+        let registers: &[_] = if self.resets_at_once(clock, is_active) { &self.clocks[clock].registers } else { &[] };
         registers.iter().map(|&index| &self.registers[index as usize])
     }
 
