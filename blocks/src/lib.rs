@@ -57,6 +57,7 @@
 //! | [`ToAxiStream`], [`FromAxiStream`] | packets of bytes to and from AXI4-Stream | 1 from the last, 2 | from `into` to `out` |
 //! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
 //! | [`SpiMaster`] | words to and from a slave on four lines | 2 half periods for each bit, and 1 clock | from `into` to `out`, and all pins |
+//! | [`SdramController`], [`SdramOnPads`] | a memory chip with four banks, its rows and refreshes | CL + 4 on an open row | any, and all pins |
 //! | [`AxiLiteRegisters`] | registers behind AXI4-Lite | 1 | any |
 //! | [`Ram`] | a memory that is written byte by byte | 1 | any |
 //! | [`DualClockRam`] | the same, written on one clock and read on another | 1 read clock | any |
@@ -103,6 +104,7 @@ mod ram;
 mod reset_synchronizer;
 mod rotator;
 mod rounding;
+mod sdram;
 mod shift;
 mod shifter;
 mod sine;
@@ -152,6 +154,10 @@ pub use ram::{DualClockRam, DualClockRamIn, DualClockRamOut, Ram, RamIn, RamOut}
 pub use reset_synchronizer::{ResetSynchronizer, ResetSynchronizerOut};
 pub use rotator::{Rotator, RotatorIn, RotatorOut};
 pub use rounding::{Quantizer, QuantizerIn, QuantizerOut, Ties, round, saturate};
+pub use sdram::{
+    SdramController, SdramControllerIn, SdramControllerOut, SdramOnPads, SdramOnPadsIn, SdramOnPadsOut, SdramPins,
+    SdramRequest,
+};
 pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};
 pub use shifter::{Shifter, ShifterIn, ShifterOut, Shifting};
 pub use sine::{OnCircle, SineCosine, SineCosineOut};

@@ -94,6 +94,7 @@ fn the_scenarios_show_what_they_say() {
     assert_eq!(words("narrow", "out"), [7, 0, 0, 9, 0, 0]);
     assert_eq!(words("widen", "out"), [0x321, 0x999]);
     assert_eq!(words("spi-master", "received"), [9, 6, 5]);
+    assert_eq!(words("sdram-controller", "words"), [0x1201, 0x1a00]);
 }
 
 /// The values of an output of a block with one clock in an entry's scenario, just before each edge, without repetitions.
@@ -143,6 +144,8 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("axi-lite-registers", "registers_0"), [0, 0x1234_5678, 0x12bb_cc78]);
     assert_eq!(values("axi-lite-registers", "r_data"), [0, 0x1234_5678, 0xbeef, 0, 0x12bb_cc78, 0]);
     assert_eq!(values("spi-master", "cs_n"), [1, 0, 1, 0, 1]);
+    assert_eq!(values("sdram-controller", "dq_enable"), [0, 1, 0]);
+    assert_eq!(values("sdram-controller", "pins_dqm"), [3, 0]);
     assert_eq!(values("power-on-reset", "reset"), [1, 0, 1, 0]);
     assert_eq!(values("reset-synchronizer", "reset"), [1, 0]);
     assert_eq!(values("multiplier", "product"), [0, 15, 225, 63, 0]);

@@ -49,6 +49,7 @@ pub const ENTRIES: &[Entry] = &[
     small::TICKS,
     pins::DEBOUNCER,
     pins::SPI_MASTER,
+    pins::SDRAM_CONTROLLER,
     video::VIDEO_TIMING,
     video::TMDS_ENCODER,
     codes::DECODER,

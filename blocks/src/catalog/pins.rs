@@ -1,8 +1,10 @@
 //! The entries of blocks at the pins of a chip.
 
-use crate::{Debouncer, DebouncerIn, SpiMaster, SpiMasterIn, SpiWord};
+use crate::{
+    Debouncer, DebouncerIn, SdramController, SdramControllerIn, SdramRequest, SpiMaster, SpiMasterIn, SpiWord,
+};
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
-use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, Stream, elaborate};
+use tilewright_hdl::{DEFAULT_PERIOD, Period, Scenario, Script, Stream, elaborate};
 
 pub(super) const DEBOUNCER: Entry = Entry {
     name: "debouncer",
@@ -25,6 +27,24 @@ pub(super) const SPI_MASTER: Entry = Entry {
     ],
     design: |values| Ok(elaborate(&spi_master(values))?),
     scenario: |values| Ok(two_frames(&spi_master(values))),
+};
+
+pub(super) const SDRAM_CONTROLLER: Entry = Entry {
+    name: "sdram-controller",
+    summary: "reads and writes a memory of 32 megabytes",
+    parameters: &[
+        Parameter { name: "period", default: 10, min: 8, max: 100, meaning: "nanoseconds of a clock" },
+        Parameter { name: "late", default: 0, min: 0, max: 3, meaning: "clocks by which words come late" },
+        Parameter {
+            name: "power_up",
+            default: 3,
+            min: 1,
+            max: 1 << 20,
+            meaning: "clocks of 100 us, or fewer to simulate",
+        },
+    ],
+    design: |values| Ok(elaborate(&sdram_controller(values))?),
+    scenario: |values| Ok(two_rows(&sdram_controller(values))),
 };
 
 fn debouncer(values: &Values) -> Debouncer {
@@ -68,4 +88,30 @@ fn exchange(script: &mut Script<SpiMaster>, master: &SpiMaster, word: SpiWord<u6
         let bit = SpiMasterIn { send: Stream::of(0, SpiWord { word: 0, last: 0 }), miso: word.word >> place & 1 };
         script.hold(&bit, 2 * master.half_period);
     }
+}
+
+fn sdram_controller(values: &Values) -> SdramController {
+    let [late, power_up] = ["late", "power_up"].map(|name| values.get_u32(name));
+    SdramController { late, power_up, ..SdramController::of_32_megabytes(Period::ns(values.get("period"))) }
+}
+
+fn two_rows(controller: &SdramController) -> Scenario {
+    let SdramController { rcd, rp, ras, rfc, mrd, power_up, .. } = *controller;
+    let mut script = Script::new(controller, DEFAULT_PERIOD);
+    let [first, second, other] = [0x1200, 0x1201, 0x1a00];
+    let request = |valid, write, address| {
+        let data = if write == 1 { 0xcafe } else { 0 };
+        Stream::of(valid, SdramRequest { write, address, data, strobe: 3 * write })
+    };
+    let idle = |dq| SdramControllerIn { request: request(0, 0, 0), dq };
+    script.ready("words", true);
+    script.hold(&idle(0), power_up + rp + 8 * rfc + mrd);
+    let longest = controller.cas_latency + controller.late + 4 + rcd;
+    for (write, address) in [(1, first), (0, second), (0, other)] {
+        script.clock(&SdramControllerIn { request: request(1, write, address), dq: 0 });
+        script.hold(&idle(address), longest + ras + rp);
+    }
+    script.finish(
+        "after the start a word is written, the next one is read in the same row, and one in another row of the bank",
+    )
 }
