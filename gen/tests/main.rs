@@ -2,6 +2,7 @@
 
 mod asserts;
 mod blocks;
+mod constraints;
 mod diagrams;
 mod displays;
 mod foreign;

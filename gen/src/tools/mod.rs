@@ -1,5 +1,6 @@
-//! Runs the programs that check printed Verilog: four linters, two simulators, and Yosys's replay of a dump.
-//! [`Compiler`] builds a fast simulator from it, for comparisons of speed.
+//! Runs the programs that check printed Verilog: four linters, two simulators, and Yosys's replay of a dump. [`cells`]
+//! and [`place`] tell what a design takes of an FPGA, and how fast it is there. [`Compiler`] builds a fast simulator
+//! from it, for comparisons of speed.
 //!
 //! The checks are meant for tests, of this crate and of others. If a program is missing, a check prints
 //! `skipped: NAME is not installed` and counts as skipped. With the environment variable `CI` set it fails instead,
@@ -8,6 +9,7 @@
 mod binary;
 mod linters;
 mod model;
+mod placement;
 mod replay;
 mod run;
 mod synthesis;
@@ -15,6 +17,7 @@ mod synthesis;
 pub use binary::verilated;
 pub use linters::{lint, lint_all, lint_quickly};
 pub use model::{Compiler, Model, Source};
+pub use placement::{Device, Frequency, Placed, place};
 pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
 pub use run::{skipped, skipped_without};
 pub use synthesis::{Target, cells};

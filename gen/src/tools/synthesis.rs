@@ -32,7 +32,7 @@ pub enum Target {
 }
 
 impl Target {
-    fn pass(self) -> &'static str {
+    pub(super) fn pass(self) -> &'static str {
         match self {
             Target::Ice40 => "synth_ice40",
             Target::Ecp5 => "synth_ecp5",

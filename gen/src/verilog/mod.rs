@@ -80,6 +80,11 @@ pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     files
 }
 
+/// The ports of the top without models, with their widths.
+pub fn top_ports(design: &Design) -> Vec<(String, u32)> {
+    ports::of_chip(&fold::fold(design, design.top()).module, design)
+}
+
 /// The state of each module, by the names in its text.
 pub fn states(design: &Design) -> Vec<ModuleState> {
     let mut states = Vec::new();

@@ -2,9 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::border::Border;
 use super::foreign::MODELS;
 use super::layout::{prose, range};
 use super::printer::Printer;
+use tilewright_hdl::ir::{Design, Module};
 
 /// A port's documentation is after it if it ends at this column, otherwise above it.
 const COLUMNS: usize = 120;
@@ -124,6 +126,17 @@ fn ports<'a>(printer: &'a Printer) -> Vec<Port<'a>> {
         ports.push(Port { direction, width, name: &port.name, path: &port.path, about });
     }
     ports
+}
+
+/// The ports of a module without models, with their widths.
+pub fn of_chip(module: &Module, design: &Design) -> Vec<(String, u32)> {
+    let border = Border::of(design, module);
+    let clocks = module.clocks.iter().flat_map(|clock| [Some(&clock.port), clock.reset.as_ref()]).flatten();
+    let inputs = module.inputs.iter().map(|port| (&port.name, module.width(port.node)));
+    let outputs = module.outputs.iter().map(|port| (&port.name, module.width(port.node)));
+    let all = clocks.map(|name| (name, 1)).chain(inputs).chain(outputs);
+    let shared = all.filter(|(name, _)| !border.model_only.contains(*name)).map(|(name, width)| (name.clone(), width));
+    border.inouts.iter().cloned().chain(shared).collect()
 }
 
 /// A path without the numbers of elements: the documentation of a list is that of each element.
