@@ -4,6 +4,7 @@ mod bench;
 mod block;
 mod compare;
 mod completions;
+mod constraints;
 mod diagram;
 mod engine;
 mod explain;

@@ -1,6 +1,7 @@
 //! `tilewright verilog`: a block as Verilog, and a testbench that replays its scenario.
 
 use crate::block::{BlockArguments, design, simulation};
+use crate::constraints::ConstraintOptions;
 use crate::player::{check_length, play};
 use crate::shell::output::{Folder, quoted};
 use crate::shell::{Exit, Failure, progress, terminal};
@@ -19,9 +20,13 @@ Examples:
   tilewright verilog merging-unit -o out/
   tilewright verilog merging-unit -o out/ --testbench
   tilewright verilog image-merger --set units=8 -o out/ --testbench --json
+  tilewright verilog merging-unit -o out/ --constraints sdc
 
 The testbench replays the block's scenario and compares every output at every clock edge. It prints `PASS: n cycles` or the first mismatch.
-After a mismatch the printed commands end with a non-zero status. It runs in Icarus Verilog and in Verilator.")]
+After a mismatch the printed commands end with a non-zero status. It runs in Icarus Verilog and in Verilator.
+
+The constraints have the block's name: `merging_unit.sdc`. A file of pins has a row for each bit of each port: the port, the pin, and settings.
+`#` begins a comment. Settings are an io type, pull-up or pull-down, and NAME=VALUE in the words of the dialect.")]
 pub struct Verilog {
     #[command(flatten)]
     block: BlockArguments,
@@ -31,6 +36,8 @@ pub struct Verilog {
     /// Write a testbench as well, recorded from a run of the block's scenario
     #[arg(long)]
     testbench: bool,
+    #[command(flatten)]
+    constraints: ConstraintOptions,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -55,10 +62,12 @@ impl Verilog {
     pub fn run(self) -> Result<Exit, Failure> {
         Folder::check(&self.output)?;
         let (entry, values) = self.block.find()?;
+        let pins = self.constraints.pins()?;
         let folder = Folder::make(&self.output)?;
         let design = design(entry, &values)?;
         progress::phase("printing");
         let mut files = verilog(&design);
+        files.extend(self.constraints.print(&design, &pins)?);
         let mut cycles = None;
         if self.testbench {
             let mut sim = simulation(&design, EngineKind::default())?;

@@ -68,6 +68,11 @@ impl Failure {
         }
     }
 
+    /// Several failures, of which the first decides the exit code.
+    pub fn all(failures: impl DoubleEndedIterator<Item = Failure>) -> Option<Failure> {
+        failures.rev().reduce(|next, first| first.then(next))
+    }
+
     fn then(self, next: Failure) -> Failure {
         Failure { next: Some(Box::new(next)), ..self }
     }

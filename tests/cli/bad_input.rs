@@ -204,6 +204,15 @@ const CASES: &[(&str, &[&str])] = &[
         "wave gfb-unit --ascii --set width=2048 --set height=2048",
         &["a wave in text can have 200000 at most: --set smaller"],
     ),
+    (
+        "verilog merging-unit -o out --constraints lfp",
+        &["there is no dialect of constraints `lfp`: give one of sdc, xdc, lpf, pcf"],
+    ),
+    ("verilog merging-unit -o out --pins board.pins", &["--constraints"]),
+    (
+        "verilog merging-unit -o out --constraints lpf --pins gone.pins",
+        &["gone.pins: No such file or directory: name a text file with a row for each port"],
+    ),
     ("verilog nothing -o out", &["error: there is no block `nothing`: ", "`tilewright list blocks` shows all names\n"]),
     (
         "bench pin16",

@@ -70,3 +70,35 @@ fn without_a_testbench_there_is_none() {
     assert!(!folder.path("out/merging_unit_tb.v").exists());
     assert!(folder.path("out/merging_unit.v").exists());
 }
+
+#[test]
+fn constraints_are_beside_the_verilog() {
+    let folder = Folder::new();
+    let report = folder.json("verilog merging-unit -o out --constraints lpf --testbench --json");
+    let files = serde_json::json!(["out/merging_unit.v", "out/merging_unit.lpf", "out/merging_unit_tb.v"]);
+    assert_eq!(report["files"], files);
+    assert!(folder.read("out/merging_unit.lpf").contains("\nFREQUENCY PORT \"clk\" 12.5 MHZ;\n"));
+    std::fs::write(folder.path("board.pins"), "clk P1 LVCMOS33\nagain P2\nreset P3\n").unwrap();
+    folder.stdout("verilog power-on-reset -o out --constraints xdc --pins board.pins");
+    let text = folder.read("out/power_on_reset_clocks16.xdc");
+    assert!(text.contains("set_property -dict {PACKAGE_PIN P1 IOSTANDARD LVCMOS33} [get_ports {clk}]"), "{text}");
+    assert_eq!(text.matches("set_property").count(), 3, "{text}");
+}
+
+#[test]
+fn wrong_pins_leave_no_folder() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("board.pins"), "\nclk 1\nled 2\ntx\n").unwrap();
+    let run = folder.run("verilog merging-unit -o out --constraints lpf --pins board.pins");
+    assert_eq!(run.code, Some(2), "{run:?}");
+    assert_eq!(run.stderr, "error: board.pins:4: `tx` has no pin: write the pin behind the port, as in `tx G2`\n");
+    std::fs::write(folder.path("board.pins"), "clk 1\nled 2\ntx 3\n").unwrap();
+    let run = folder.run("verilog merging-unit -o out --constraints lpf --pins board.pins");
+    assert_eq!(run.code, Some(2), "{run:?}");
+    let wrong = [
+        "error: board.pins:2: the chip has no port `led`: did you mean `left`?\n",
+        "error: board.pins:3: the chip has no port `tx`: its ports are `clk`, `enable`, `left`, `nearer`, `right`\n",
+    ];
+    assert_eq!(run.stderr, wrong.concat());
+    assert!(!folder.path("out").exists());
+}
