@@ -1,6 +1,8 @@
 //! The blocks, compared with their documentation.
 
 mod catalog;
+mod chips;
+mod examples;
 mod formal;
 mod messages;
 mod pins;
