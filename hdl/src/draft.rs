@@ -118,6 +118,8 @@ pub(crate) struct DraftMemory {
     pub stand_in: Option<NodeId>,
     /// The places of the write ports.
     pub written: Vec<Loc>,
+    /// The clock of the handle of each read port, which an asynchronous read does not use.
+    pub read_clocks: Vec<Option<Clock>>,
     /// The enabled part that each read port is in.
     pub read_parts: Vec<Option<PartId>>,
     /// The enabled part that each write port is in.

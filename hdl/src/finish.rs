@@ -5,6 +5,7 @@ use crate::chosen;
 use crate::draft::Draft;
 use crate::elaboration::Elaboration;
 use crate::enabled;
+use crate::in_bounds;
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::past;
@@ -29,6 +30,7 @@ pub(crate) fn finish(
     let problems = &mut e.problems;
     check::drives::check(&mut draft, problems);
     chosen::assert_codes(&mut draft);
+    in_bounds::assert_addresses(&mut draft);
     past::wait_for_pasts(&mut draft, &e.summaries, &outputs);
     let renumber = place_clocks(&mut draft);
     let resets = find_resets(&draft, &e.done, &e.depends_on_reset);

@@ -40,7 +40,7 @@
 //! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::toggle`] for a bit that toggles |
 //! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) lets values of different stages meet |
 //! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`]; the resulting [`Moves`] report which transition is taken |
-//! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
+//! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`], [`Mem::in_bounds`] |
 //! | a record | [`record!`], with the width of each field, or [`bundle!`], without; a register, wire or memory declared with a record of widths is a record; `.pack()` makes a word of a record, `.unpack(word)` of a record of widths makes a record of a word |
 //! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`choose!`]`(i.operation, Alu { Load => a, Add => b })`, [`Signal::choose`]; a code is a signal, by `Alu::Load.into()` in a record |
 //! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; elementwise operations are written as for one lane; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`]; of records by [`Lanes`] |
@@ -90,6 +90,7 @@ mod fields;
 mod finish;
 mod foreign;
 mod graph;
+mod in_bounds;
 mod in_place_of;
 mod index;
 mod instance;

@@ -302,6 +302,7 @@ impl Mem {
             let memory = &mut draft.memories[self.index as usize];
             memory.memory.reads.push(ReadPort { clock, address, enable, node });
             memory.read_parts.push(part);
+            memory.read_clocks.push(self.clock);
             if memory.stand_in.is_some() {
                 draft.stand_ins.insert(node);
             }

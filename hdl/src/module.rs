@@ -292,11 +292,13 @@ impl Module {
                     reads: Vec::new(),
                     writes: Vec::new(),
                     attributes: Vec::new(),
+                    in_bounds: false,
                     loc,
                 },
                 true_dual_port: false,
                 stand_in,
                 written: Vec::new(),
+                read_clocks: Vec::new(),
                 read_parts: Vec::new(),
                 write_parts: Vec::new(),
             });

@@ -11,6 +11,8 @@ block! {
         pub at_once: bool,
         /// What a read at the edge gives whose word is written: the old word, or anything.
         pub old: bool,
+        /// No address reaches beyond the last word.
+        pub in_bounds: bool,
     }
     in(self) WordsIn {
         /// Writes.
@@ -32,14 +34,25 @@ impl Words {
     fn build(&self, m: Module, i: WordsIn) -> WordsOut {
         let policy = if self.old { ReadUnderWrite::Old } else { ReadUnderWrite::Any };
         def!(words = m.memory(self.depth, 8, policy));
+        let words = if self.in_bounds { words.in_bounds() } else { words };
         words.write(i.write, i.to, i.data);
         WordsOut { word: if self.at_once { words.read_async(i.from) } else { words.read(i.from) } }
     }
 }
 
-/// A memory of each kind: depth, whether it is read at once, whether it gives the old word.
-pub const KINDS: [(u32, bool, bool); 5] =
-    [(16, true, false), (64, true, false), (16, false, false), (512, false, false), (512, false, true)];
+/// A memory of each kind.
+pub const KINDS: [Words; 7] = [
+    Words { at_once: true, ..BLOCK_RAM },
+    Words { depth: 64, at_once: true, ..BLOCK_RAM },
+    BLOCK_RAM,
+    Words { depth: 512, ..BLOCK_RAM },
+    Words { depth: 512, old: true, ..BLOCK_RAM },
+    Words { depth: 400, ..BLOCK_RAM },
+    Words { depth: 400, in_bounds: true, ..BLOCK_RAM },
+];
+
+/// The smallest memory that could be block RAM.
+const BLOCK_RAM: Words = Words { depth: 16, at_once: false, old: false, in_bounds: false };
 
 block! {
     /// A memory of each kind, for one run of a synthesizer.
@@ -62,10 +75,10 @@ block! {
 
 impl AllWords {
     fn build(&self, m: Module, i: AllWordsIn) -> AllWordsOut {
-        let word = |(number, (depth, at_once, old))| {
-            let (to, from) = (i.to.trunc(below(depth)), i.from.trunc(below(depth)));
+        let word = |(number, words): (usize, Words)| {
+            let (to, from) = (i.to.trunc(below(words.depth)), i.from.trunc(below(words.depth)));
             let inputs = WordsIn { write: i.write, to, data: i.data, from };
-            m.instance(&format!("u_words{number}"), &Words { depth, at_once, old }, inputs).word
+            m.instance(&format!("u_words{number}"), &words, inputs).word
         };
         AllWordsOut { words: KINDS.into_iter().enumerate().map(word).collect() }
     }

@@ -7,7 +7,7 @@ use std::fs;
 use std::process::Command;
 use tilewright_gen::tools::skipped_without;
 use tilewright_guide::book::folder;
-use tilewright_guide::words::{AllWords, KINDS, Words};
+use tilewright_guide::words::{AllWords, KINDS};
 use tilewright_hdl::{Block, elaborate};
 
 const FAMILIES: [&str; 3] = ["synth_ice40 -noflatten", "synth_ecp5 -noflatten", "synth_xilinx -noiopad"];
@@ -19,12 +19,13 @@ fn memories_become_what_the_appendix_says() {
     }
     let families = FAMILIES.map(cells_by_module);
     let mut rows = String::new();
-    for (depth, at_once, old) in KINDS {
-        let module = Words { depth, at_once, old }.name();
-        let read = match (at_once, old) {
-            (true, _) => "`read_async`",
-            (false, false) => "`read`, `Any`",
-            (false, true) => "`read`, `Old`",
+    for words in KINDS {
+        let (module, depth) = (words.name(), words.depth);
+        let read = match (words.at_once, words.old, words.in_bounds) {
+            (true, ..) => "`read_async`",
+            (false, true, _) => "`read`, `Old`",
+            (false, false, true) => "`read`, `Any`, `.in_bounds()`",
+            (false, false, false) => "`read`, `Any`",
         };
         let cells = families.each_ref().map(|cells| cells[&module].join(", "));
         writeln!(rows, "| {depth} | {read} | {} |", cells.join(" | ")).unwrap();

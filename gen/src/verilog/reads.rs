@@ -63,8 +63,12 @@ pub fn constant_address(module: &Module, address: NodeId) -> Option<u64> {
     }
 }
 
-/// Whether the address of a read port can exceed the depth by its width, unless its value is known not to.
+/// Whether the address of a read port can exceed the depth by its width, unless its value is known not to, or the
+/// description says that it does not.
 pub fn can_exceed(module: &Module, memory: &Memory, address: NodeId) -> bool {
+    if memory.in_bounds {
+        return false;
+    }
     let node = module.node(address);
     let highest = match &node.op {
         Op::Extend { of, signed: false } => highest_value(module.width(*of)),

@@ -97,6 +97,9 @@ pub struct Memory {
     pub writes: Vec<WritePort>,
     /// For synthesizers.
     pub attributes: Vec<Attribute>,
+    /// Whether the description says that no address reaches beyond the last word, so that the word there is undefined.
+    /// Assertions check it.
+    pub in_bounds: bool,
     /// Where it is declared.
     pub loc: Loc,
 }

@@ -242,6 +242,7 @@ impl Build {
             reads: vec![],
             writes: vec![],
             attributes: vec![],
+            in_bounds: false,
             loc: Loc::caller(),
         });
         MemoryId(self.module.memories.len() as u32 - 1)

@@ -10,6 +10,7 @@ mod engines;
 mod every_engine;
 mod fields;
 mod idle;
+mod in_bounds;
 mod instants;
 mod lanes_by_name;
 mod looking;
