@@ -22,6 +22,7 @@ mod reproduce;
 mod save_file;
 mod scene;
 mod shell;
+mod synth;
 mod trace;
 mod verdict;
 mod verilog;
@@ -46,7 +47,7 @@ struct CommandLine {
 const AFTER_HELP: &str = "\
 Exit codes:
   0    done
-  1    a check failed: a frame differs from the golden image, an assertion of the hardware fails, or simulators or engines disagree
+  1    a check failed: a frame differs from the golden image, an assertion of the hardware fails, a block does not fit its device, or simulators or engines disagree
   2    bad usage or bad input
   3    an output cannot be written
   4    an external program is not installed, or fails
@@ -71,6 +72,7 @@ enum Command {
     Wave(wave::Wave),
     Verilog(verilog::Verilog),
     Diagram(diagram::Diagram),
+    Synth(synth::Synth),
     Reproduce(reproduce::Reproduce),
     Bench(bench::Bench),
     Explain(explain::Explain),
@@ -89,6 +91,7 @@ impl Command {
             Command::Wave(it) => it.run(),
             Command::Verilog(it) => it.run(),
             Command::Diagram(it) => it.run(),
+            Command::Synth(it) => it.run(),
             Command::Reproduce(it) => it.run(),
             Command::Bench(it) => it.run(),
             Command::Explain(it) => it.run(),

@@ -34,8 +34,13 @@ fn handle_signals() {
 }
 
 fn start(folder: &Folder, line: &str) -> Child {
+    start_command(&mut folder.command(line))
+}
+
+/// Starts a command that a signal reaches.
+pub fn start_command(command: &mut Command) -> Child {
     handle_signals();
-    folder.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
 /// Waits until a command's waveform has grown to some size.
@@ -46,7 +51,7 @@ fn await_waveform(folder: &Folder, child: &mut Child, waveform: &str) {
     }
 }
 
-fn send(child: &Child, signal: &str) {
+pub fn send(child: &Child, signal: &str) {
     // The shell's own: a bare Debian has no program of that name.
     let killed = Command::new("sh").args(["-c", &format!("kill -s {signal} {}", child.id())]).status().unwrap();
     assert!(killed.success());

