@@ -61,7 +61,7 @@ fn installed(names: &[String]) -> Option<String> {
 
 fn missing(program: &str) -> Failure {
     let debian = match program {
-        "yosys" | "nextpnr-ice40" | "nextpnr-ecp5" => format!(", or apt-get install {program}"),
+        "yosys" | "nextpnr-ice40" => format!(", or apt-get install {program}"),
         _ => String::new(),
     };
     Failure::new(Exit::NoTool, format!("{program} is not installed: pip install yowasp-{program}{debian}"))
