@@ -13,7 +13,7 @@ use tilewright_hdl::Design;
 /// The options about constraints.
 #[derive(Args)]
 pub struct ConstraintOptions {
-    /// Write constraints as well: the periods of the clocks, what holds between clocks, and pins
+    /// Write constraints as well: the periods of the clocks, the limits of paths between clocks, and pins
     #[arg(long, value_name = "DIALECT", value_parser = names::of::<Language>("dialect of constraints"))]
     constraints: Option<Language>,
     /// File with the pin of each port, a row for each bit, such as `clk G2 LVCMOS33` or `led[0] B2 pull-up DRIVE=4`

@@ -25,6 +25,11 @@ const CHIPS: &[Chip] = &[Chip {
     clocks: &[("pixel_clk", 25.0), ("serial_clk", 125.0)],
 }];
 
+/// The chips by their names.
+pub fn designs() -> impl Iterator<Item = (String, Design)> {
+    CHIPS.iter().map(|chip| (chip.name.to_owned(), (chip.design)()))
+}
+
 /// The chip on its FPGA; `None` if the tools are not installed.
 fn placed(chip: &Chip) -> Option<Placed> {
     let design = (chip.design)();

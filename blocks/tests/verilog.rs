@@ -1,6 +1,7 @@
-//! The Verilog of every block, at small and at uneven sizes: no linter complains, and Icarus agrees with the simulator.
+//! The Verilog of every block, at small and at uneven sizes, and of every chip: no linter complains, and Icarus agrees with the simulator.
 
-use crate::formal;
+use crate::pins::sdram::on_pads::random_requests;
+use crate::{chips, formal};
 use tilewright_blocks::catalog::ENTRIES;
 use tilewright_blocks::*;
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};
@@ -111,9 +112,9 @@ fn blocks() -> Vec<(String, Design)> {
 
 #[test]
 fn no_linter_complains_of_any_block() {
-    let mut blocks = blocks();
-    let controller = SdramController::of_32_megabytes(Period::ns(10));
-    blocks.push(designed(SdramOnPads { controller })); // whose memory is no random input
+    // At the pins of the SDRAM is a memory, which is no random input.
+    let sdram = designed(SdramOnPads { controller: SdramController::of_32_megabytes(Period::ns(10)) });
+    let blocks: Vec<_> = blocks().into_iter().chain([sdram]).chain(chips::designs()).collect();
     let printed: Vec<Vec<VerilogFile>> = blocks.iter().map(|(_, design)| verilog(design)).collect();
     let files: Vec<&[VerilogFile]> = printed.iter().map(Vec::as_slice).collect();
     let wrong = tools::lint_all(&files).err().unwrap_or_default();
@@ -142,7 +143,7 @@ fn allowed(module: &ir::Module, input: &Input, number: u64) -> u64 {
 #[test]
 fn icarus_repeats_every_block() {
     let mut chance = 1u64;
-    for (name, design) in blocks() {
+    for (name, design) in blocks().into_iter().chain(chips::designs()) {
         let mut sim = Simulation::from_design(&design).unwrap();
         let recording = sim.recording();
         sim.reset();
@@ -167,6 +168,14 @@ fn icarus_repeats_every_block() {
             panic!("{name}: {problems}");
         }
     }
+}
+
+/// With what a memory shows on the pads.
+#[test]
+fn others_repeat_a_memory_at_pads() {
+    let (files, bench) = random_requests();
+    let _ = tools::replay_in_icarus(&files, &bench).unwrap();
+    let _ = tools::replay_in_verilator(&files, &bench).unwrap();
 }
 
 /// Passes digits on, and counts them up to 9.

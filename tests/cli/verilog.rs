@@ -80,7 +80,7 @@ fn constraints_are_beside_the_verilog() {
     assert!(folder.read("out/merging_unit.lpf").contains("\nFREQUENCY PORT \"clk\" 12.5 MHZ;\n"));
     std::fs::write(folder.path("board.pins"), "clk P1 LVCMOS33\nagain P2\nreset P3\n").unwrap();
     folder.stdout("verilog power-on-reset -o out --constraints xdc --pins board.pins");
-    let text = folder.read("out/power_on_reset_clocks16.xdc");
+    let text = folder.read("out/power_on_reset_clocks3.xdc");
     assert!(text.contains("set_property -dict {PACKAGE_PIN P1 IOSTANDARD LVCMOS33} [get_ports {clk}]"), "{text}");
     assert_eq!(text.matches("set_property").count(), 3, "{text}");
 }

@@ -2,7 +2,7 @@
 
 mod debouncer;
 mod dvi;
-mod sdram;
+pub mod sdram;
 mod spi;
 mod tmds;
 mod video_timing;

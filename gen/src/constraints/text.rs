@@ -42,7 +42,7 @@ fn created(net: &str, picoseconds: u64, at: &str) -> String {
     format!("create_clock -name {net} -period {} {at}", nanoseconds(picoseconds))
 }
 
-/// What holds for paths from each clock to each other one.
+/// The limits of paths from each clock to each other one.
 fn crossings(chip: &Chip, dialect: Dialect) -> Vec<String> {
     let pairs = chip.clocks.iter().flat_map(|from| chip.clocks.iter().map(move |to| (from, to)));
     let pairs: Vec<_> = pairs.filter(|(from, to)| from.net != to.net).collect();
@@ -70,7 +70,7 @@ fn crossing(from: &ChipClock, to: &ChipClock, dialect: Dialect) -> Vec<String> {
     let limit = nanoseconds(from.period.min(to.period).picoseconds());
     let path = format!("-from [get_clocks {{{}}}] -to [get_clocks {{{}}}]", from.net, to.net);
     match dialect {
-        // The clocks' own delays do not count, and hold is not checked.
+        // The delays of the clocks themselves do not count, nor does what is too early.
         Dialect::Xdc => vec![format!("set_max_delay -datapath_only {path} {limit}")],
         _ => vec![format!("set_max_delay {path} {limit}"), format!("set_false_path -hold {path}")],
     }

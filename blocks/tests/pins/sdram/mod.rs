@@ -2,7 +2,7 @@
 
 mod chip;
 mod exact;
-mod on_pads;
+pub mod on_pads;
 mod predicted;
 mod traffic;
 
