@@ -58,6 +58,7 @@
 //! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
 //! | [`SpiMaster`] | words to and from a slave on four lines | 2 half periods for each bit, and 1 clock | from `into` to `out`, and all pins |
 //! | [`SdramController`], [`SdramOnPads`] | a memory chip with four banks, its rows and refreshes | CL + 4 on an open row | any, and all pins |
+//! | [`I2cMaster`] | bytes to and from slaves on two lines, with other masters | 9 bits of I2C, and 1 clock | from `commands` to `answers`, and all pins |
 //! | [`AxiLiteRegisters`] | registers behind AXI4-Lite | 1 | any |
 //! | [`Ram`] | a memory that is written byte by byte | 1 | any |
 //! | [`DualClockRam`] | the same, written on one clock and read on another | 1 read clock | any |
@@ -92,6 +93,8 @@ mod dual_clock;
 mod encode;
 mod fifo;
 mod fork;
+mod i2c;
+mod i2c_command;
 mod join;
 mod lfsr;
 mod lifo;
@@ -142,6 +145,8 @@ pub use encode::{
 };
 pub use fifo::{Fifo, Storage};
 pub use fork::{Fork, ForkOut};
+pub use i2c::{I2cMaster, I2cMasterIn, I2cMasterOut, I2cMode};
+pub use i2c_command::{I2cAction, I2cAnswer, I2cCommand, I2cResult};
 pub use join::{Join, JoinIn};
 pub use lfsr::{Lfsr, LfsrIn, LfsrOut};
 pub use lifo::Lifo;

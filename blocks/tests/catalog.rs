@@ -57,6 +57,11 @@ fn every_block_says_what_it_is_and_its_latency_in_clocks() {
 
 /// The words that pass on a stream in an entry's scenario, including repetitions.
 fn words(name: &str, stream: &str) -> Vec<u64> {
+    fields(name, stream, "payload")
+}
+
+/// A field of the records that pass on a stream in an entry's scenario.
+fn fields(name: &str, stream: &str, field: &str) -> Vec<u64> {
     let entry = find(name);
     let values = entry.values([]).unwrap();
     let scenario = entry.scenario(&values).unwrap();
@@ -67,7 +72,7 @@ fn words(name: &str, stream: &str) -> Vec<u64> {
         let is_before_an_edge = (played * scenario.end_ps as f64).round() as u64 % 10_000 == 9_500;
         let goes = ["valid", "ready"].map(|end| sim.peek(&format!("{stream}_{end}")).unwrap().bit(0));
         if is_before_an_edge && goes == [true, true] {
-            words.push(sim.peek(&format!("{stream}_payload")).unwrap().to_u64().unwrap());
+            words.push(sim.peek(&format!("{stream}_{field}")).unwrap().to_u64().unwrap());
         }
         ControlFlow::Continue(())
     });
@@ -95,6 +100,8 @@ fn the_scenarios_show_what_they_say() {
     assert_eq!(words("widen", "out"), [0x321, 0x999]);
     assert_eq!(words("spi-master", "received"), [9, 6, 5]);
     assert_eq!(words("sdram-controller", "words"), [0x1201, 0x1a00]);
+    assert_eq!(fields("i2c-master", "answers", "result"), [0; 4]);
+    assert_eq!(fields("i2c-master", "answers", "byte")[2], 0x3c);
 }
 
 /// The values of an output of a block with one clock in an entry's scenario, just before each edge, without repetitions.
@@ -146,6 +153,7 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("spi-master", "cs_n"), [1, 0, 1, 0, 1]);
     assert_eq!(values("sdram-controller", "dq_enable"), [0, 1, 0]);
     assert_eq!(values("sdram-controller", "pins_dqm"), [3, 0]);
+    assert_eq!(values("i2c-master", "busy"), [0, 1, 0]);
     assert_eq!(values("power-on-reset", "reset"), [1, 0, 1, 0]);
     assert_eq!(values("reset-synchronizer", "reset"), [1, 0]);
     assert_eq!(values("multiplier", "product"), [0, 15, 225, 63, 0]);

@@ -1,9 +1,11 @@
 //! The examples, which other tests look at.
 
+use crate::pins::i2c::i2c_pins;
+use std::fs;
+use tilewright_gen::{testbench, tools, verilog};
+
 #[path = "../examples/dvi.rs"]
 pub mod dvi;
-
-use std::fs;
 
 #[test]
 fn the_picture_is_written_with_its_constraints() {
@@ -18,4 +20,14 @@ fn the_picture_is_written_with_its_constraints() {
         assert!(lpf.contains(line), "{lpf}");
     }
     assert!(fs::read_to_string(folder.path().join("dvi.v")).unwrap().contains("\nmodule dvi (\n"));
+}
+
+#[test]
+fn others_agree_on_the_pins_of_i2c() {
+    i2c_pins::main().unwrap();
+    let (design, recording) = i2c_pins::run().unwrap();
+    let (files, bench) = (verilog(&design), testbench(&design, &recording));
+    tools::lint(&files).unwrap();
+    let _ = tools::replay_in_icarus(&files, &bench).unwrap();
+    let _ = tools::replay_in_verilator(&files, &bench).unwrap();
 }

@@ -86,6 +86,9 @@ fn blocks() -> Vec<(String, Design)> {
         let usual = SdramController::of_32_megabytes(Period::ns(nanoseconds));
         blocks.push(designed(SdramController { power_up: 2, bytes, late, ..usual }));
     }
+    for (low, high, filter) in [(5, 2, 1), (9, 11, 3)] {
+        blocks.push(designed(I2cMaster { low, high, filter }));
+    }
     blocks.push(designed(TmdsEncoder));
     for (columns, rows) in [
         (Scan::new(5, [1, 2, 3], false), Scan::new(3, [2, 1, 0], true)),

@@ -50,6 +50,7 @@ pub const ENTRIES: &[Entry] = &[
     pins::DEBOUNCER,
     pins::SPI_MASTER,
     pins::SDRAM_CONTROLLER,
+    pins::I2C_MASTER,
     video::VIDEO_TIMING,
     video::TMDS_ENCODER,
     codes::DECODER,

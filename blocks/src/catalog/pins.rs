@@ -1,7 +1,8 @@
 //! The entries of blocks at the pins of a chip.
 
 use crate::{
-    Debouncer, DebouncerIn, SdramController, SdramControllerIn, SdramRequest, SpiMaster, SpiMasterIn, SpiWord,
+    Debouncer, DebouncerIn, I2cCommand, I2cMaster, I2cMasterIn, SdramController, SdramControllerIn, SdramRequest,
+    SpiMaster, SpiMasterIn, SpiWord,
 };
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{DEFAULT_PERIOD, Period, Scenario, Script, Stream, elaborate};
@@ -45,6 +46,17 @@ pub(super) const SDRAM_CONTROLLER: Entry = Entry {
     ],
     design: |values| Ok(elaborate(&sdram_controller(values))?),
     scenario: |values| Ok(two_rows(&sdram_controller(values))),
+};
+
+pub(super) const I2C_MASTER: Entry = Entry {
+    name: "i2c-master",
+    summary: "exchanges bytes with slaves on two lines, which other masters may use, too",
+    parameters: &[
+        Parameter { name: "low", default: 5, min: 5, max: 1 << 16, meaning: "clocks for which SCL is low" },
+        Parameter { name: "high", default: 2, min: 2, max: 1 << 16, meaning: "clocks for which SCL is seen high" },
+    ],
+    design: |values| Ok(elaborate(&i2c_master(values))?),
+    scenario: |values| Ok(a_byte_each_way(&i2c_master(values))),
 };
 
 fn debouncer(values: &Values) -> Debouncer {
@@ -113,5 +125,59 @@ fn two_rows(controller: &SdramController) -> Scenario {
     }
     script.finish(
         "after the start a word is written, the next one is read in the same row, and one in another row of the bank",
+    )
+}
+
+fn i2c_master(values: &Values) -> I2cMaster {
+    let [low, high] = ["low", "high"].map(|name| values.get_u32(name));
+    I2cMaster { low, high, filter: 1 }
+}
+
+/// A master, and the bus as it is if a slave does what is written.
+struct Bus {
+    script: Script<I2cMaster>,
+    master: I2cMaster,
+    sda: u64,
+}
+
+impl Bus {
+    fn lines(&mut self, command: Option<I2cCommand<u64>>, scl: u64, sda: u64, clocks: u32) {
+        let commands = Stream::of(command.is_some().into(), command.unwrap_or(I2cCommand::START));
+        self.script.hold(&I2cMasterIn { commands, scl, sda }, clocks);
+        self.sda = sda;
+    }
+
+    /// A bit whose low period a slave stretches by some clocks.
+    fn bit(&mut self, sda: u64, stretched: u32) {
+        let half = self.master.low / 2 + 1;
+        self.lines(None, 0, self.sda, half);
+        self.lines(None, 0, sda, self.master.low - half + stretched);
+        self.lines(None, 1, sda, self.master.high + self.master.filter + 3);
+    }
+
+    /// The eight bits of a byte and its acknowledgement.
+    fn byte(&mut self, command: I2cCommand<u64>, bits: u64, stretched: u32) {
+        self.lines(Some(command), 0, self.sda, 1);
+        for place in (0..9).rev() {
+            self.bit(bits >> place & 1, if place == 8 { stretched } else { 0 });
+        }
+    }
+}
+
+fn a_byte_each_way(master: &I2cMaster) -> Scenario {
+    let I2cMaster { low, high, .. } = *master;
+    let mut bus = Bus { script: Script::new(master, DEFAULT_PERIOD), master: master.clone(), sda: 1 };
+    bus.script.ready("answers", true);
+    bus.lines(Some(I2cCommand::START), 1, 1, 1);
+    bus.lines(None, 1, 1, low);
+    bus.lines(None, 1, 0, high);
+    bus.byte(I2cCommand::write(0xa5), 0xa5 << 1, 0);
+    bus.byte(I2cCommand::LAST_READ, 0x3c << 1 | 1, 9);
+    bus.lines(Some(I2cCommand::STOP), 0, bus.sda, 1);
+    bus.bit(0, 0);
+    bus.lines(None, 1, 1, low + 3);
+    bus.script.finish(
+        "START, a byte that a slave acknowledges, a byte from a slave, which stretches the clock before its first bit, \
+         and STOP",
     )
 }

@@ -2,6 +2,7 @@
 
 mod debouncer;
 mod dvi;
+pub mod i2c;
 pub mod sdram;
 mod spi;
 mod tmds;
