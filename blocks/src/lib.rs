@@ -58,6 +58,7 @@
 //! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
 //! | [`SpiMaster`] | words to and from a slave on four lines | 2 half periods for each bit, and 1 clock | from `into` to `out`, and all pins |
 //! | [`SdramController`], [`SdramOnPads`] | a memory chip with four banks, its rows and refreshes | CL + 4 on an open row | any, and all pins |
+//! | [`SpiFlashReader`] | bytes of a flash memory on SPI | 5 or 6 bytes of SPI, and 1 clock | any |
 //! | [`I2cMaster`] | bytes to and from slaves on two lines, with other masters | 9 bits of I2C, and 1 clock | from `commands` to `answers`, and all pins |
 //! | [`AxiLiteRegisters`] | registers behind AXI4-Lite | 1 | any |
 //! | [`Ram`] | a memory that is written byte by byte | 1 | any |
@@ -113,6 +114,7 @@ mod shifter;
 mod sine;
 mod slice;
 mod spi;
+mod spi_flash;
 mod split;
 mod square_root;
 mod start;
@@ -168,6 +170,7 @@ pub use shifter::{Shifter, ShifterIn, ShifterOut, Shifting};
 pub use sine::{OnCircle, SineCosine, SineCosineOut};
 pub use slice::{RegisterSlice, Slice};
 pub use spi::{SpiMaster, SpiMasterIn, SpiMasterOut, SpiWord};
+pub use spi_flash::{FlashRead, SpiFlashReader, SpiFlashReaderIn, SpiFlashReaderOut};
 pub use split::{Addressed, Split, SplitIn, SplitOut};
 pub use square_root::{Root, SquareRoot, SquareRootOut};
 pub use start::{PowerOnReset, PowerOnResetIn, PowerOnResetOut, Ticks, TicksIn, TicksOut};

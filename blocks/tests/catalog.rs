@@ -100,6 +100,8 @@ fn the_scenarios_show_what_they_say() {
     assert_eq!(words("widen", "out"), [0x321, 0x999]);
     assert_eq!(words("spi-master", "received"), [9, 6, 5]);
     assert_eq!(words("sdram-controller", "words"), [0x1201, 0x1a00]);
+    assert_eq!(fields("spi-flash-reader", "bytes", "byte"), [0xff, 0, 0xff]);
+    assert_eq!(fields("spi-flash-reader", "bytes", "last"), [0, 1, 1]);
     assert_eq!(fields("i2c-master", "answers", "result"), [0; 4]);
     assert_eq!(fields("i2c-master", "answers", "byte")[2], 0x3c);
 }
@@ -153,6 +155,7 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("spi-master", "cs_n"), [1, 0, 1, 0, 1]);
     assert_eq!(values("sdram-controller", "dq_enable"), [0, 1, 0]);
     assert_eq!(values("sdram-controller", "pins_dqm"), [3, 0]);
+    assert_eq!(values("spi-flash-reader", "cs_n"), [1, 0, 1, 0, 1]);
     assert_eq!(values("i2c-master", "busy"), [0, 1, 0]);
     assert_eq!(values("power-on-reset", "reset"), [1, 0, 1, 0]);
     assert_eq!(values("reset-synchronizer", "reset"), [1, 0]);

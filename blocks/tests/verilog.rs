@@ -86,6 +86,9 @@ fn blocks() -> Vec<(String, Design)> {
         let usual = SdramController::of_32_megabytes(Period::ns(nanoseconds));
         blocks.push(designed(SdramController { power_up: 2, bytes, late, ..usual }));
     }
+    for (half_period, fast) in [(1, false), (2, true)] {
+        blocks.push(designed(SpiFlashReader { half_period, fast, length: 1 + half_period }));
+    }
     for (low, high, filter) in [(5, 2, 1), (9, 11, 3)] {
         blocks.push(designed(I2cMaster { low, high, filter }));
     }

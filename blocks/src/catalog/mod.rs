@@ -50,6 +50,7 @@ pub const ENTRIES: &[Entry] = &[
     pins::DEBOUNCER,
     pins::SPI_MASTER,
     pins::SDRAM_CONTROLLER,
+    pins::SPI_FLASH_READER,
     pins::I2C_MASTER,
     video::VIDEO_TIMING,
     video::TMDS_ENCODER,

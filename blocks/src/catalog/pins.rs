@@ -1,8 +1,8 @@
 //! The entries of blocks at the pins of a chip.
 
 use crate::{
-    Debouncer, DebouncerIn, I2cCommand, I2cMaster, I2cMasterIn, SdramController, SdramControllerIn, SdramRequest,
-    SpiMaster, SpiMasterIn, SpiWord,
+    Debouncer, DebouncerIn, FlashRead, I2cCommand, I2cMaster, I2cMasterIn, SdramController, SdramControllerIn,
+    SdramRequest, SpiFlashReader, SpiFlashReaderIn, SpiMaster, SpiMasterIn, SpiWord,
 };
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{DEFAULT_PERIOD, Period, Scenario, Script, Stream, elaborate};
@@ -46,6 +46,18 @@ pub(super) const SDRAM_CONTROLLER: Entry = Entry {
     ],
     design: |values| Ok(elaborate(&sdram_controller(values))?),
     scenario: |values| Ok(two_rows(&sdram_controller(values))),
+};
+
+pub(super) const SPI_FLASH_READER: Entry = Entry {
+    name: "spi-flash-reader",
+    summary: "reads bytes of a flash memory on SPI",
+    parameters: &[
+        Parameter { name: "clocks", default: 1, min: 1, max: 1 << 31, meaning: "how long half a period of sck is" },
+        Parameter { name: "fast", default: 0, min: 0, max: 1, meaning: "whether the command is 0x0b" },
+        Parameter { name: "length", default: 8, min: 2, max: 32, meaning: "bits of the number of bytes" },
+    ],
+    design: |values| Ok(elaborate(&spi_flash_reader(values))?),
+    scenario: |values| Ok(two_reads(&spi_flash_reader(values))),
 };
 
 pub(super) const I2C_MASTER: Entry = Entry {
@@ -126,6 +138,31 @@ fn two_rows(controller: &SdramController) -> Scenario {
     script.finish(
         "after the start a word is written, the next one is read in the same row, and one in another row of the bank",
     )
+}
+
+fn spi_flash_reader(values: &Values) -> SpiFlashReader {
+    let [half_period, length] = ["clocks", "length"].map(|name| values.get_u32(name));
+    SpiFlashReader { half_period, fast: values.get("fast") == 1, length }
+}
+
+fn two_reads(reader: &SpiFlashReader) -> Scenario {
+    let mut script = Script::new(reader, DEFAULT_PERIOD);
+    let word = 16 * u64::from(reader.half_period) + 1;
+    let header = if reader.fast { 5 } else { 4 };
+    let show = |valid, address, length, miso| SpiFlashReaderIn {
+        reads: Stream::of(valid, FlashRead { address, length }),
+        miso,
+    };
+    script.ready("bytes", true);
+    script.clock(&show(1, 0x12_3456, 2, 0));
+    script.hold(&show(1, 0xab_cdef, 1, 0), header * word);
+    script.hold(&show(1, 0xab_cdef, 1, 1), word);
+    script.hold(&show(1, 0xab_cdef, 1, 0), 2);
+    script.ready("bytes", false);
+    script.hold(&show(0, 0, 0, 0), word + 3);
+    script.ready("bytes", true);
+    script.hold(&show(0, 0, 0, 1), (header + 2) * word);
+    script.finish("two bytes are read, 0xff and 0, of which the second waits for the receiver; then one more, 0xff")
 }
 
 fn i2c_master(values: &Values) -> I2cMaster {

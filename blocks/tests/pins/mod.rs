@@ -5,5 +5,6 @@ mod dvi;
 pub mod i2c;
 pub mod sdram;
 mod spi;
+pub mod spi_flash;
 mod tmds;
 mod video_timing;

@@ -4,8 +4,8 @@ use super::suite::{BLOCKS, Crate, RTL};
 use tilewright_blocks::{
     Arbiter, AxiLiteRegisters, BitOrder, Counter, Crc, Debouncer, Divider, DualClockFifo, DualClockRam, Fifo, Fork,
     FromAxiStream, I2cMaster, Lfsr, Multiplier, Narrow, PowerOnReset, Quadrature, Quantizer, Ram, RegisterSlice,
-    ResetSynchronizer, Scan, SdramController, ShiftRegister, Shifter, SineCosine, Slice, SpiMaster, SquareRoot,
-    Storage, Ticks, Ties, TmdsEncoder, ToAxiStream, Turns, VectorRegisters, VideoTiming, Widen,
+    ResetSynchronizer, Scan, SdramController, ShiftRegister, Shifter, SineCosine, Slice, SpiFlashReader, SpiMaster,
+    SquareRoot, Storage, Ticks, Ties, TmdsEncoder, ToAxiStream, Turns, VectorRegisters, VideoTiming, Widen,
 };
 use tilewright_hdl::{Block, Clock, Design, Period, Reset, elaborate};
 use tilewright_mutants::{Mutant, mutants};
@@ -92,7 +92,7 @@ fn blocks() -> Vec<Design> {
         design(&Debouncer { clocks: 3, idle: false }),
         design(&SpiMaster { width: 3, half_period: 2, mode: 1 }),
         design(&SdramController { power_up: 5, ..SdramController::of_32_megabytes(Period::ns(10)) }),
-        design(&I2cMaster { low: 6, high: 4, filter: 1 }),
+        design(&SpiFlashReader { half_period: 1, fast: false, length: 4 }),
         design(&I2cMaster { low: 6, high: 4, filter: 1 }),
         design(&VideoTiming { columns: Scan::new(3, [1, 2, 1], false), rows: Scan::new(2, [1, 1, 1], true) }),
         design(&TmdsEncoder),
