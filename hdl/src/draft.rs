@@ -253,6 +253,18 @@ impl Draft {
         if self.node(node).shape == shape { node } else { self.spread(node, shape, loc) }
     }
 
+    /// Two nodes in the lanes of one of them: a plain one is the same in all lanes of the other.
+    pub fn alike(&mut self, nodes: [NodeId; 2], loc: Loc) -> ([NodeId; 2], Shape) {
+        let shape = self.shape_of_both(nodes);
+        (nodes.map(|node| self.in_shape(node, shape, loc)), shape)
+    }
+
+    /// The shape of two nodes of which one may be plain.
+    pub fn shape_of_both(&self, nodes: [NodeId; 2]) -> Shape {
+        let [first, second] = nodes.map(|node| self.node(node).shape);
+        if first.is_plain() { second } else { first }
+    }
+
     /// The index of a clock in this module; a new clock is added.
     pub fn clock(&mut self, clock: Option<Clock>) -> ClockId {
         let found = self.clocks.iter().position(|known| match (known, &clock) {

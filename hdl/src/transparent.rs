@@ -67,12 +67,3 @@ fn and(draft: &mut Draft, left: NodeId, right: NodeId, loc: Loc) -> NodeId {
     let ([left, right], shape) = draft.alike([left, right], loc);
     draft.add(Op::Binary(Binary::And, left, right), 1, shape, loc)
 }
-
-impl Draft {
-    /// Both nodes in the lanes of one of them: a plain one is the same in all lanes.
-    fn alike(&mut self, nodes: [NodeId; 2], loc: Loc) -> ([NodeId; 2], Shape) {
-        let shapes = nodes.map(|node| self.node(node).shape);
-        let shape = if shapes[0].is_plain() { shapes[1] } else { shapes[0] };
-        (nodes.map(|node| self.in_shape(node, shape, loc)), shape)
-    }
-}

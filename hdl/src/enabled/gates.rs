@@ -159,11 +159,8 @@ impl Gates<'_> {
         loc: Loc,
         what: impl FnOnce(&Draft) -> String,
     ) -> Option<NodeId> {
-        let own = self.draft.node(gate);
-        if own.shape == shape {
-            return Some(gate);
-        }
-        if own.shape.is_plain() {
+        let own = self.draft.node(gate).shape;
+        if own == shape || own.is_plain() {
             return Some(self.spread(gate, shape));
         }
         let what = what(self.draft);
@@ -171,7 +168,11 @@ impl Gates<'_> {
         None
     }
 
+    /// An enable in the lanes of a shape.
     fn spread(&mut self, node: NodeId, shape: Shape) -> NodeId {
+        if self.draft.node(node).shape == shape {
+            return node;
+        }
         if let Some(known) = self.spread.get(&(node, shape)) {
             return *known;
         }
@@ -183,15 +184,9 @@ impl Gates<'_> {
 
     /// Both enables; a plain one is the same in all lanes of the other.
     fn and(&mut self, own: Option<NodeId>, gate: NodeId) -> NodeId {
-        let Some(mut own) = own else { return gate };
-        let mut gate = gate;
-        let [of_own, of_gate] = [own, gate].map(|node| self.draft.node(node).shape);
-        if of_own.is_plain() && !of_gate.is_plain() {
-            own = self.spread(own, of_gate);
-        } else if of_gate.is_plain() && !of_own.is_plain() {
-            gate = self.spread(gate, of_own);
-        }
-        let (shape, loc) = (self.draft.node(own).shape, self.draft.node(gate).loc);
+        let Some(own) = own else { return gate };
+        let (shape, loc) = (self.draft.shape_of_both([own, gate]), self.draft.node(gate).loc);
+        let [own, gate] = [own, gate].map(|node| self.spread(node, shape));
         self.draft.add(Op::Binary(Binary::And, gate, own), 1, shape, loc)
     }
 
