@@ -33,14 +33,20 @@ impl Display for OutOfRange {
 
 impl std::error::Error for OutOfRange {}
 
-/// Checks that a parameter of block `B` is in its range; `said` is the documentation that gives the reason.
+/// Checks that a parameter of block `B`, or a field of one, is in its range; `said` is the documentation that gives the
+/// reason.
 #[doc(hidden)]
-pub fn in_range<B, T: Display>(name: &str, value: &T, values: impl Values<T>, said: &[&str]) -> Result<(), OutOfRange> {
+pub fn in_range<B, T: Display>(
+    path: &[&str],
+    value: &T,
+    values: impl Values<T>,
+    said: &[&str],
+) -> Result<(), OutOfRange> {
     if values.allow(value) {
         return Ok(());
     }
     let block = short(std::any::type_name::<B>());
-    let name = unraw(name);
+    let name = path.iter().map(|name| unraw(name)).collect::<Vec<_>>().join(".");
     let mut problem = format!("`{name}` of `{block}` is {value}: it has to be {}", values.in_words());
     let reason = sentence(said);
     if !reason.is_empty() {

@@ -95,11 +95,11 @@ macro_rules! block_items {
 
     (@ranges []) => {};
     (@ranges [[] $($parameters:tt)*]) => { $crate::block_items! { @ranges [[self] $($parameters)*] } };
-    (@ranges [[$this:ident] $({[$([$($said:tt)*])*] $parameter:ident [$range:expr]})*]) => {
+    (@ranges [[$this:ident] $({[$([$($said:tt)*])*] [$parameter:ident $($field:ident)*] [$range:expr]})*]) => {
         fn check(&$this) -> Result<(), $crate::OutOfRange> {
             $($crate::in_range::<Self, _>(
-                stringify!($parameter),
-                &$this.$parameter,
+                &[stringify!($parameter) $(, stringify!($field))*],
+                &$this.$parameter $(.$field)*,
                 $range,
                 &[$($crate::doc_line!($($said)*)),*],
             )?;)*

@@ -61,7 +61,7 @@ pub use widths::{declared, list};
 /// A constant latency needs no clause, because it is counted ([`Design::latencies`](crate::Design::latencies)). The
 /// clause `ranges` gives the legal values of a parameter, with a reason if it is not obvious: a range,
 /// [`powers_of_two`](crate::powers_of_two), [`multiples_of`](crate::multiples_of) or [`any_of`](crate::any_of).
-/// Elaboration checks them; the method `checked` checks them earlier:
+/// A field of a parameter is `queues.depth: 1..=64`. Elaboration checks them; the method `checked` checks them earlier:
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -207,10 +207,10 @@ macro_rules! block {
 
     // The clauses, in sequence: the ranges of parameters, the name, the foreign module, the latency, the source, the inputs and the outputs.
     (@clauses [$attributes:tt $vis:tt $name:ident $of:tt [] $called:tt $foreign:tt] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
-        $($(#[$($said:tt)*])* $parameter:ident: $range:expr),* $(,)?
+        $($(#[$($said:tt)*])* $parameter:ident $(.$field:ident)*: $range:expr),* $(,)?
     } $($rest:tt)*) => {
         $crate::block! {
-            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] $parameter [$range]})*] $called $foreign]
+            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] [$parameter $($field)*] [$range]})*] $called $foreign]
             $latency $source $in $out $($rest)*
         }
     };

@@ -84,6 +84,34 @@ fn parameters_that_are_powers_multiples_or_a_few_values() {
     assert!(problem(Renderer { any: 0, ..RENDERER }).ends_with("is 0: it has to be a power of two"));
 }
 
+/// The capacities of two queues.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Queues {
+    packets: u32,
+    r#for: u32,
+}
+
+block! {
+    /// Has queues.
+    struct Processor { queues: Queues }
+    ranges { queues.packets: 1..=64, queues.r#for: powers_of_two(2..) }
+}
+
+impl Processor {
+    fn build(&self, _: Module, (): ()) {}
+}
+
+#[test]
+fn a_range_may_be_that_of_a_field() {
+    let problem = |packets, r#for| {
+        let processor = Processor { queues: Queues { packets, r#for } };
+        processor.checked().map_or_else(|problem| problem.to_string(), |_| String::new())
+    };
+    assert_eq!(problem(64, 2), "");
+    assert_eq!(problem(0, 2), "`queues.packets` of `Processor` is 0: it has to be from 1 to 64");
+    assert_eq!(problem(1, 3), "`queues.for` of `Processor` is 3: it has to be a power of two, at least 2");
+}
+
 #[test]
 fn a_block_may_name_its_module() {
     assert_eq!(Renderer { side: 64, line: 0, edge: 4, any: 1 }.name(), "renderer_64");
