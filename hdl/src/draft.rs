@@ -52,6 +52,8 @@ pub(crate) struct Draft {
     pub pipelines: Pipelines,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
+    /// Fields of the payloads that instances send: the word of each, the field, and its path.
+    pub unpacked: Vec<(NodeId, NodeId, String)>,
     /// Operands of faulty expressions. The circuit has only a stand-in of such an expression.
     pub in_problems: BTreeSet<NodeId>,
     /// The stand-ins for faulty objects, whose problems have been reported, and the values computed from them. No
@@ -164,6 +166,7 @@ impl Draft {
             synchronizers: Vec::new(),
             pipelines: Pipelines::default(),
             ignored: BTreeSet::new(),
+            unpacked: Vec::new(),
             in_problems: BTreeSet::new(),
             stand_ins: BTreeSet::new(),
             foreign: None,

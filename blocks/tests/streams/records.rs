@@ -52,3 +52,24 @@ fn records_go_through() {
     ));
     assert_eq!(ends, [(); 5]);
 }
+
+/// A field that goes on to a port alone is named by that port.
+#[test]
+fn fields_that_are_computed_with_keep_their_names() {
+    let design = elaborate(&Spans).unwrap();
+    let names = design.top().nodes.iter().filter_map(|node| node.name.as_deref());
+    let names: Vec<&str> = names.filter(|name| name.contains("_out_")).collect();
+    assert_eq!(names, ["u_fork_out_0_x", "u_fork_out_0_step", "u_slice_out_shade"]);
+}
+
+#[test]
+fn no_field_takes_the_name_of_its_streams_handshake() {
+    record! { struct Job { valid: bit(), page: bits(4) } }
+    let example = tilewright_sim::traced(|m| {
+        let (jobs, _) = m.offer(lit(1, 1), Job { valid: lit(1, 1), page: lit(4, 9) });
+        let job = m.fifo("u_queue", 2, jobs).take_when(1);
+        m.assert(job.taken.implies(job.valid & job.page.eq(9)), "the job that is sent arrives");
+    });
+    let pages: [u64; 4] = example.values("u_queue_out_page");
+    assert_eq!(pages[2..], [9, 9]);
+}

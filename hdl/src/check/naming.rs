@@ -1,8 +1,8 @@
 //! Names are legal, unique in their module, and not reserved.
 
-use crate::check::numbering;
+use crate::check::{numbering, unused};
 use crate::draft::Draft;
-use crate::ir::{Instance, Module, NodeId, Op};
+use crate::ir::{Instance, Module, Node, NodeId, Op};
 use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
@@ -54,6 +54,7 @@ pub(crate) fn check(
     for instance in &mut draft.instances {
         instance.name = names.inner("instance", instance.name.clone(), instance.loc);
     }
+    name_fields(draft, &mut names.taken);
     while names.taken.contains_key(&name) {
         name.push('_');
     }
@@ -111,6 +112,37 @@ fn name_reads(draft: &mut Draft) {
             draft.node_mut(*port).name.get_or_insert(format!("{name}_read{number}"));
         }
     }
+}
+
+/// A field of a payload that an instance sends is `INSTANCE_STREAM_FIELD`, where more than a port reads it. For a word
+/// that is packed again no field is named.
+fn name_fields(draft: &mut Draft, taken: &mut BTreeMap<String, (&'static str, Loc)>) {
+    let fields = std::mem::take(&mut draft.unpacked);
+    if fields.is_empty() {
+        return;
+    }
+    let is_read = unused::read_within(draft, |op| !matches!(op, Op::Concat(_) | Op::Broadcast { .. }));
+    for (word, field, path) in fields {
+        let (Op::Output(instance, port), Node { name: None, op: Op::Slice { .. }, .. }) =
+            (&draft.node(word).op, draft.node(field))
+        else {
+            continue;
+        };
+        let sender = &draft.instances[instance.0 as usize].name;
+        let stream = draft.instance_outputs[instance.0 as usize][*port as usize].trim_end_matches("payload");
+        let name = format!("{sender}_{stream}{}", path.replace('.', "_"));
+        let is_free = is_legal(&name) && !taken.contains_key(&name) && !is_handshake(&path);
+        if is_free && is_read[field.0 as usize] {
+            let node = draft.node_mut(field);
+            taken.insert(name.clone(), ("net", node.loc));
+            node.name = Some(name);
+        }
+    }
+}
+
+/// Whether a field would have the name of another signal of its stream.
+fn is_handshake(path: &str) -> bool {
+    matches!(path, "valid" | "ready" | "payload")
 }
 
 struct Names<'a> {

@@ -114,7 +114,8 @@ impl<P: Data> Stream<P> {
 }
 
 impl Stream {
-    /// The stream with its packed payload unpacked again, to a payload like `like`.
+    /// The stream with its packed payload unpacked again, to a payload like `like`. If an instance sends the stream,
+    /// fields that are computed with are named after it and themselves.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -129,7 +130,12 @@ impl Stream {
     /// ```
     #[track_caller]
     pub fn unpacked<P: Data>(&self, like: &P) -> Stream<P> {
-        self.with(record::unpack_any(like, self.payload))
+        let (word, payload) = (self.payload.id(), record::unpack_any(like, self.payload));
+        elaboration::draft(|draft| {
+            let fields = payload.leaves().into_iter().filter(|(_, field)| field.node != word);
+            draft.unpacked.extend(fields.map(|(path, field)| (word, field.node, path)));
+        });
+        self.with(payload)
     }
 }
 

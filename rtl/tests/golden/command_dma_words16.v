@@ -86,6 +86,8 @@ module command_dma_words16 (
     wire [8:0] u_frames_out_payload;                             // rtl/src/pixelflow/command_dma.rs:70
 
     wire left_is_0 = left == 5'd0;                               // rtl/src/pixelflow/command_dma.rs:73
+    wire [3:0] u_frames_out_base = u_frames_out_payload[8:5];    // rtl/src/pixelflow/command_dma.rs:70
+    wire [4:0] u_frames_out_length = u_frames_out_payload[4:0];  // rtl/src/pixelflow/command_dma.rs:70
     wire left_and = u_frames_out_valid & left_is_0;              // rtl/src/pixelflow/command_dma.rs:73
     wire instructions_taken = arrived & instructions_ready;      // rtl/src/pixelflow/command_dma.rs:78
     wire reads = (left != 5'd0) & (!arrived | instructions_taken); // rtl/src/pixelflow/command_dma.rs:77
@@ -138,7 +140,7 @@ module command_dma_words16 (
 
     always @(posedge clk) begin
         if (left_and) begin
-            next <= u_frames_out_payload[8:5];
+            next <= u_frames_out_base;
         end else if (reads) begin
             if (next == 4'd15) next <= 4'd0;
             else next <= next + 4'd1;
@@ -150,7 +152,7 @@ module command_dma_words16 (
             left <= 5'd0;
             arrived <= 1'b0;
         end else begin
-            if (left_and) left <= u_frames_out_payload[4:0];
+            if (left_and) left <= u_frames_out_length;
             else if (reads) left <= left - 5'd1;
             if (reads) arrived <= 1'b1;
             else if (instructions_taken) arrived <= 1'b0;
