@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::pixel_planes::SIDE;
 use tilewright_rtl::pixel_planes::frame_buffer::FrameBuffer;
 use tilewright_rtl::pixel_planes::machine::PixelPlanes5;
 use tilewright_rtl::pixel_planes::programs::Edges;
 use tilewright_rtl::pixel_planes::renderer::Renderer;
 use tilewright_rtl::pixel_planes::ring::Ring;
-use tilewright_rtl::pixel_planes::{self, SIDE};
 use tilewright_scenes::Size;
 
 use super::geometry::GeometryCosts;
@@ -92,7 +92,7 @@ impl Config {
                 "regions of {side}x{side} pixels: the side has to be from {least} to 256 pixels"
             )));
         }
-        Regions::new(self.size, pixel_planes::side(self.side)?)
+        Regions::new(self.size, self.frame_buffer()?.side)
     }
 
     /// The hardware of each renderer.
@@ -105,7 +105,7 @@ impl Config {
             return Err(ParameterError(format!("{asked} renderers: a machine has from 1 to {most}")));
         }
         self.regions()?;
-        Ok(Renderer::new(self.side, self.queue)?.quadratic(self.quadratic))
+        Ok(Renderer { side: self.side, queue: self.queue, quadratic: self.quadratic }.checked()?)
     }
 
     /// Checks the number of geometry processors.
@@ -127,7 +127,8 @@ impl Config {
     /// # Errors
     /// The ring's bandwidth is not a whole number of bits in a clock, or too high; or as [`Config::renderer`].
     pub fn ring(&self) -> Result<Ring, ParameterError> {
-        Ring::new(self.renderers, self.renderer()?.side(), Ring::bits_a_clock(self.ring)?)
+        let (renderers, side) = (self.renderers, self.renderer()?.side);
+        Ok(Ring { renderers, side, rate: Ring::bits_a_clock(self.ring)? }.checked()?)
     }
 
     /// The hardware that assembles regions to a frame.
@@ -135,7 +136,8 @@ impl Config {
     /// # Errors
     /// As [`Config::regions`].
     pub fn frame_buffer(&self) -> Result<FrameBuffer, ParameterError> {
-        FrameBuffer::new(Screen::new(self.size.width(), self.size.height())?, self.side)
+        let screen = Screen::new(self.size.width(), self.size.height())?;
+        Ok(FrameBuffer { screen, side: self.side }.checked()?)
     }
 
     /// The whole machine as one circuit.
@@ -145,8 +147,8 @@ impl Config {
     pub fn hardware(&self) -> Result<PixelPlanes5, ParameterError> {
         let screen = Screen::new(self.size.width(), self.size.height())?;
         let rate = Ring::bits_a_clock(self.ring)?;
-        let machine = PixelPlanes5::new(screen, self.renderers, self.side, self.queue, rate)?;
-        Ok(machine.quadratic(self.quadratic))
+        let Config { renderers, side, queue, quadratic, .. } = *self;
+        Ok(PixelPlanes5 { screen, renderers, side, queue, rate, quadratic }.checked()?)
     }
 
     /// The configuration for a report.

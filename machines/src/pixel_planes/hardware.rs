@@ -108,7 +108,7 @@ impl Course<'_> {
     ) -> Result<(), Error> {
         let RendererTiming { taken, shown, planes, .. } = self.timing;
         let waiting = done.arrived - done.taken;
-        let of_region = planes_of(renderer.side());
+        let of_region = planes_of(renderer.side);
         let first_clock = match (done.planes == planes.len(), done.planes.is_multiple_of(of_region)) {
             (true, _) => u64::MAX,
             (_, true) => shown[done.planes / of_region],
@@ -117,7 +117,7 @@ impl Course<'_> {
         let takes = taken.get(done.taken) == Some(&done.clock);
         for (signal, port, expected) in [
             ("the queue's handshake", sim.o.takes, takes),
-            ("the queue's room", sim.o.room, waiting < renderer.queue() as usize),
+            ("the queue's room", sim.o.room, waiting < renderer.queue as usize),
             ("idleness", sim.o.idle, waiting == 0 && done.clock >= done.ended),
             ("the validity of planes", sim.o.planes.valid, done.clock >= first_clock),
         ] {
@@ -134,8 +134,8 @@ impl Course<'_> {
         done: &Done,
     ) -> Result<(), Error> {
         let BitPlane { region, line, plane, .. } = sim.o.planes.payload;
-        let (side, word) = (renderer.side() as usize, fields::WORD.bits as usize);
-        let (number, _) = self.regions[done.planes / planes_of(renderer.side())];
+        let (side, word) = (renderer.side as usize, fields::WORD.bits as usize);
+        let (number, _) = self.regions[done.planes / planes_of(renderer.side)];
         for (signal, port, expected) in [
             ("a plane's region", region, number),
             ("a plane's line", line, done.planes / word % side),

@@ -70,7 +70,7 @@ impl Scene<'_> {
 
     /// Bits of instructions and of planes.
     fn ring(&self, timing: &Timing) -> Lane {
-        let plane = self.config.ring().map_or(0, |ring| ring.plane());
+        let plane = self.config.ring().map_or(0, |ring| ring.side);
         let rate = timing.ring.rate as f64 / PERIOD.picoseconds() as f64;
         let mut lane = Lane { name: "ring".to_owned(), of: "bits", rate, spans: Vec::new() };
         let arrived = |it: &RendererTiming| it.arrived.clone();

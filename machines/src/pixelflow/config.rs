@@ -97,7 +97,7 @@ impl Config {
                 "an array of {width}x{height} pixels: each side has to be from {least} to 256 pixels"
             )));
         }
-        PixelArray::new(width, height)
+        Ok(PixelArray { width, height }.checked()?)
     }
 
     /// The regions of the picture, or of its field.

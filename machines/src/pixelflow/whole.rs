@@ -53,9 +53,8 @@ impl<'a> Whole<'a> {
         let programs = programs(&built, works);
         let nodes = programs.len();
         let longest = programs.iter().map(Vec::len).max().unwrap_or(0) as u32;
-        let (width, height) = (built.array.width(), built.array.height());
-        let node = Node::new(width, height, longest, built.set_up as u32).unwrap();
-        let machine = PixelFlow::new(nodes as u32, node).unwrap();
+        let node = Node { array: built.array.clone(), words: longest, setup: built.set_up as u32 };
+        let machine = PixelFlow { nodes: nodes as u32, node };
         let sim = begun(&machine, &programs, built.side_by_side);
         let texture = |_| {
             let textures = works.textures.iter().map(AsRef::as_ref);
@@ -202,7 +201,7 @@ fn begun(
         sim.set(i.frames[node].valid, false);
         [i.forth[node], i.back[node]].into_iter().for_each(|jobs| sim.set(jobs.valid, false));
     }
-    for address in 0..machine.node().words() as usize {
+    for address in 0..machine.node.words as usize {
         for (store, program) in i.stores.iter().zip(programs) {
             sim.set(store.writes, address < program.len());
             sim.set(store.address, address as u64);

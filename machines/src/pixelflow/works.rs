@@ -140,9 +140,10 @@ impl Works {
     /// # Errors
     /// The frame's size is out of range.
     pub fn frame_buffer(&self) -> Result<FrameBuffer, ParameterError> {
-        let of = if self.is_side_by_side() { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
-        let size = self.size();
-        of(self.array, parameter::Screen::new(size.width(), size.height())?)
+        let samples = if self.is_side_by_side() { FrameBuffer::EIGHT } else { 1 };
+        let (size, [columns, rows]) = (self.size(), self.array);
+        let screen = parameter::Screen::new(size.width(), size.height())?;
+        Ok(FrameBuffer { columns, rows, samples, screen }.checked()?)
     }
 
     /// Samples of a pixel.

@@ -5,7 +5,7 @@ use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_rtl::quadtree::format::{self, Format};
 use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
-use tilewright_rtl::quadtree::processor::Queues;
+use tilewright_rtl::quadtree::processor::{Queues, VideoProcessor};
 use tilewright_rtl::quadtree::raster::Form;
 use tilewright_scenes::{Polygon, Size};
 
@@ -86,7 +86,9 @@ impl Config {
     /// # Errors
     /// As [`Config::parsed_form`], or the size of a queue is out of range.
     pub fn generator(&self) -> Result<QuadtreeGenerator, ParameterError> {
-        QuadtreeGenerator::new(self.format()?, self.parsed_form()?, self.test, self.queues)
+        let Config { test, queues, .. } = *self;
+        let processor = VideoProcessor { format: self.format()?, form: self.parsed_form()?, test, queues };
+        Ok(QuadtreeGenerator { video_processor: processor.checked()? })
     }
 
     /// The rasters for counts of windows and for formulas.

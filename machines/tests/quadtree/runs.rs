@@ -123,7 +123,7 @@ fn a_machine_that_cannot_be_is_refused_in_a_sentence() {
         ),
         (
             Config { queues: Queues { windows: 0, ..usual.queues }, ..usual.clone() },
-            "a window queue of 0: it has to hold from 1 to 4096".to_owned(),
+            "`queues.windows` of `VideoProcessor` is 0: it has to be from 1 to 4096".to_owned(),
         ),
         (
             form("pipe:3+stack:1"),

@@ -2,7 +2,7 @@
 
 mod scenarios;
 
-use tilewright_hdl::elaborate_at;
+use tilewright_hdl::{OutOfRange, elaborate_at};
 
 use self::scenarios::{
     a_region, a_sphere, a_triangle, all_regions, by_turns, four_free, one_after_another, two_expressions, two_lines,
@@ -11,6 +11,7 @@ use self::scenarios::{
 use super::shared::{HEIGHT, WIDTH};
 use super::{Entry, Parameter, Values};
 use crate::parameter::{ParameterError, Screen};
+use crate::pixel_planes::PERIOD;
 use crate::pixel_planes::allocator::RegionAllocator;
 use crate::pixel_planes::backing_store::BackingStore;
 use crate::pixel_planes::controller::ImageGenerationController;
@@ -21,7 +22,6 @@ use crate::pixel_planes::pixel::PixelProcessor;
 use crate::pixel_planes::quadratic_tree::QuadraticTree;
 use crate::pixel_planes::renderer::Renderer;
 use crate::pixel_planes::ring::Ring;
-use crate::pixel_planes::{PERIOD, side};
 
 const SIDE: Parameter = Parameter {
     name: "side",
@@ -85,8 +85,8 @@ pub(super) const QUADRATIC_RENDERER: Entry = Entry {
     name: "quadratic-renderer",
     summary: "a renderer that also evaluates quadratics, and so draws spheres",
     parameters: &[Parameter { default: 4, ..SIDE }, INSTRUCTIONS],
-    design: |values| Ok(elaborate_at(&renderer(values)?.quadratic(true), PERIOD)?),
-    scenario: |values| Ok(a_sphere(&renderer(values)?.quadratic(true))),
+    design: |values| Ok(elaborate_at(&quadratic_renderer(values)?, PERIOD)?),
+    scenario: |values| Ok(a_sphere(&quadratic_renderer(values)?)),
 };
 
 pub(super) const IMAGE_GENERATION_CONTROLLER: Entry = Entry {
@@ -145,39 +145,48 @@ pub(super) const FRAME_BUFFER: Entry = Entry {
     scenario: |values| Ok(two_lines(&frame_buffer(values)?)),
 };
 
-fn renderer(values: &Values) -> Result<Renderer, ParameterError> {
-    Renderer::new(values.get_u32("side"), values.get_u32("queue"))
+fn renderer(values: &Values) -> Result<Renderer, OutOfRange> {
+    renderer_of(values, false)
+}
+
+fn quadratic_renderer(values: &Values) -> Result<Renderer, OutOfRange> {
+    renderer_of(values, true)
+}
+
+fn renderer_of(values: &Values, quadratic: bool) -> Result<Renderer, OutOfRange> {
+    Renderer { side: values.get_u32("side"), queue: values.get_u32("queue"), quadratic }.checked()
 }
 
 fn machine(values: &Values) -> Result<PixelPlanes5, ParameterError> {
     let [width, height, renderers, side, queue, rate] =
         ["width", "height", "renderers", "side", "queue", "rate"].map(|name| values.get_u32(name));
-    let machine = PixelPlanes5::new(Screen::new(width, height)?, renderers, side, queue, rate)?;
-    Ok(machine.quadratic(is_quadratic(values)))
+    let (screen, quadratic) = (Screen::new(width, height)?, is_quadratic(values));
+    Ok(PixelPlanes5 { screen, renderers, side, queue, rate, quadratic }.checked()?)
 }
 
-fn ring(values: &Values) -> Result<Ring, ParameterError> {
-    Ring::new(values.get_u32("renderers"), values.get_u32("side"), values.get_u32("rate"))
+fn ring(values: &Values) -> Result<Ring, OutOfRange> {
+    let [renderers, side, rate] = ["renderers", "side", "rate"].map(|name| values.get_u32(name));
+    Ring { renderers, side, rate }.checked()
 }
 
-fn controller(values: &Values) -> Result<ImageGenerationController, ParameterError> {
-    Ok(ImageGenerationController { side: side(values.get_u32("side"))?, quadratic: is_quadratic(values) })
+fn controller(values: &Values) -> Result<ImageGenerationController, OutOfRange> {
+    ImageGenerationController { side: values.get_u32("side"), quadratic: is_quadratic(values) }.checked()
 }
 
 fn is_quadratic(values: &Values) -> bool {
     values.get_u32("quadratic") == 1
 }
 
-fn linear_tree(values: &Values) -> Result<LinearTree, ParameterError> {
-    Ok(LinearTree { side: side(values.get_u32("side"))? })
+fn linear_tree(values: &Values) -> Result<LinearTree, OutOfRange> {
+    LinearTree { side: values.get_u32("side") }.checked()
 }
 
-fn quadratic_tree(values: &Values) -> Result<QuadraticTree, ParameterError> {
-    Ok(QuadraticTree { side: side(values.get_u32("side"))? })
+fn quadratic_tree(values: &Values) -> Result<QuadraticTree, OutOfRange> {
+    QuadraticTree { side: values.get_u32("side") }.checked()
 }
 
-fn backing_store(values: &Values) -> Result<BackingStore, ParameterError> {
-    Ok(BackingStore { side: side(values.get_u32("side"))? })
+fn backing_store(values: &Values) -> Result<BackingStore, OutOfRange> {
+    BackingStore { side: values.get_u32("side") }.checked()
 }
 
 fn allocator(values: &Values) -> RegionAllocator {
@@ -186,5 +195,5 @@ fn allocator(values: &Values) -> RegionAllocator {
 
 fn frame_buffer(values: &Values) -> Result<FrameBuffer, ParameterError> {
     let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
-    FrameBuffer::new(screen, values.get_u32("side"))
+    Ok(FrameBuffer { screen, side: values.get_u32("side") }.checked()?)
 }

@@ -2,11 +2,12 @@
 
 mod scenarios;
 
-use tilewright_hdl::{elaborate, elaborate_at};
+use tilewright_hdl::{OutOfRange, elaborate, elaborate_at};
 
 use super::shared::{HEIGHT, WIDTH};
 use super::{Entry, Parameter, Values};
 use crate::parameter::{ParameterError, Screen};
+use crate::pixelflow::array::PixelArray;
 use crate::pixelflow::command_dma::CommandDma;
 use crate::pixelflow::compositor::Compositor;
 use crate::pixelflow::controller::ArrayController;
@@ -20,7 +21,7 @@ use crate::pixelflow::node::{LONGEST_SETUP, MOST, Node};
 use crate::pixelflow::pixel::PixelProcessor;
 use crate::pixelflow::texture_memory::TextureMemory;
 use crate::pixelflow::texture_unit::TextureUnit;
-use crate::pixelflow::{ARRAY, TRANSFER, extents};
+use crate::pixelflow::{ARRAY, TRANSFER};
 
 const LINE: Parameter =
     Parameter { name: "line", default: 8, min: 2, max: 256, meaning: "pixels in a line of a region, a power of two" };
@@ -171,13 +172,13 @@ pub(super) const COMPOSITOR: Entry = Entry {
     scenario: |values| Ok(scenarios::two_bytes(&compositor(values))),
 };
 
-fn machine(values: &Values) -> Result<PixelFlow, ParameterError> {
-    PixelFlow::new(values.get_u32("nodes"), node(values)?)
+fn machine(values: &Values) -> Result<PixelFlow, OutOfRange> {
+    PixelFlow { nodes: values.get_u32("nodes"), node: node(values)? }.checked()
 }
 
-fn node(values: &Values) -> Result<Node, ParameterError> {
+fn node(values: &Values) -> Result<Node, OutOfRange> {
     let [width, height, words, setup] = ["line", "lines", "words", "setup"].map(|name| values.get_u32(name));
-    Node::new(width, height, words, setup)
+    Node { array: PixelArray { width, height }.checked()?, words, setup }.checked()
 }
 
 fn command_dma(values: &Values) -> CommandDma {
@@ -189,13 +190,16 @@ fn sequencer(values: &Values) -> NetworkSequencer {
 }
 
 fn frame_buffer(values: &Values) -> Result<FrameBuffer, ParameterError> {
-    let [line, lines, width, height] = ["line", "lines", "width", "height"].map(|name| values.get_u32(name));
-    FrameBuffer::new([line, lines], Screen::new(width, height)?)
+    of_samples(1, values)
 }
 
 fn samples_frame_buffer(values: &Values) -> Result<FrameBuffer, ParameterError> {
-    let [line, lines, width, height] = ["line", "lines", "width", "height"].map(|name| values.get_u32(name));
-    FrameBuffer::of_eight_samples([line, lines], Screen::new(width, height)?)
+    of_samples(FrameBuffer::EIGHT, values)
+}
+
+fn of_samples(samples: u32, values: &Values) -> Result<FrameBuffer, ParameterError> {
+    let [columns, rows, width, height] = ["line", "lines", "width", "height"].map(|name| values.get_u32(name));
+    Ok(FrameBuffer { columns, rows, samples, screen: Screen::new(width, height)? }.checked()?)
 }
 
 fn texture_unit(values: &Values) -> TextureUnit {
@@ -207,14 +211,12 @@ fn texture_memory(values: &Values) -> TextureMemory {
     TextureMemory { texels: values.get_u32("texels"), textures: values.get_u32("textures") }
 }
 
-fn controller(values: &Values) -> Result<ArrayController, ParameterError> {
-    let [width, height] = extents(values.get_u32("line"), values.get_u32("lines"))?;
-    Ok(ArrayController { width, height })
+fn controller(values: &Values) -> Result<ArrayController, OutOfRange> {
+    ArrayController { width: values.get_u32("line"), height: values.get_u32("lines") }.checked()
 }
 
-fn linear_evaluator(values: &Values) -> Result<LinearEvaluator, ParameterError> {
-    let [width, height] = extents(values.get_u32("line"), values.get_u32("lines"))?;
-    Ok(LinearEvaluator { width, height })
+fn linear_evaluator(values: &Values) -> Result<LinearEvaluator, OutOfRange> {
+    LinearEvaluator { width: values.get_u32("line"), height: values.get_u32("lines") }.checked()
 }
 
 fn pixel(values: &Values) -> PixelProcessor {

@@ -15,7 +15,7 @@ use crate::quadtree::format::{Format, Matrix};
 use crate::quadtree::generator::QuadtreeGenerator;
 use crate::quadtree::pipe::Pipe;
 use crate::quadtree::pixel::PixelProcessor;
-use crate::quadtree::processor::Queues;
+use crate::quadtree::processor::{Queues, VideoProcessor};
 use crate::quadtree::raster::{Form, Part, RasterProcessor};
 use crate::quadtree::set_up::SetUp;
 use crate::quadtree::stack::Stack;
@@ -57,8 +57,8 @@ pub(super) const VIDEO_PROCESSOR: Entry = Entry {
     name: "video-processor",
     summary: "draws polygons in a sparse raster of its own",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE, PARALLEL, STACK, TREE, QUEUE],
-    design: |values| Ok(elaborate(generator(values)?.processor())?),
-    scenario: |values| Ok(draw_and_send(generator(values)?.processor())),
+    design: |values| Ok(elaborate(&generator(values)?.video_processor)?),
+    scenario: |values| Ok(draw_and_send(&generator(values)?.video_processor)),
 };
 
 pub(super) const SET_UP: Entry = Entry {
@@ -151,7 +151,8 @@ fn test(values: &Values) -> Test {
 fn generator(values: &Values) -> Result<QuadtreeGenerator, ParameterError> {
     let (format, queue) = (format(values)?, values.get_u32("queue"));
     let queues = Queues { broadcast: queue, packets: queue, windows: queue };
-    QuadtreeGenerator::new(format, form(values, &format)?, test(values), queues)
+    let processor = VideoProcessor { format, form: form(values, &format)?, test: test(values), queues };
+    Ok(QuadtreeGenerator { video_processor: processor.checked()? })
 }
 
 fn form(values: &Values, format: &Format) -> Result<Form, ParameterError> {

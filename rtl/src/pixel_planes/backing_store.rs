@@ -16,15 +16,16 @@
 //! which the receiver takes it.
 
 use super::controller::Save;
-use super::{REGION_BITS, fields};
+use super::{REGION_BITS, SIDES, fields};
 use crate::prelude::*;
 
 block! {
     /// Stores a finished region, and sends it line by line while the next one is drawn.
     pub struct BackingStore {
-        /// Pixels in a line of a region, and lines in a region; a power of two.
+        /// Pixels in a line of a region, and lines in a region.
         pub side: u32,
     }
+    ranges { side: powers_of_two(SIDES) }
     latency(self) = format!("2 clocks from the last plane; a region is sent in {} clocks", fields::WORD.bits * self.side);
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) BackingStoreIn {

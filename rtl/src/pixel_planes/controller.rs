@@ -39,7 +39,7 @@ use super::instruction::{Instruction, LONGEST, Microcode, Operation};
 use super::linear_tree::{Coefficients, LinearTree};
 use super::pixel::{Control, PixelProcessor, Source};
 use super::quadratic_tree::{Curve, QuadraticTree};
-use super::{REGION_BITS, fields};
+use super::{REGION_BITS, SIDES, fields};
 use crate::prelude::*;
 
 mod slot;
@@ -47,11 +47,12 @@ mod slot;
 block! {
     /// Takes the instructions of a renderer, and controls its tree and its pixels.
     pub struct ImageGenerationController {
-        /// Pixels in a line of a region, and lines in a region; a power of two.
+        /// Pixels in a line of a region, and lines in a region.
         pub side: u32,
         /// Whether it takes [curves](Operation::Curve), for a [quadratic tree](super::quadratic_tree).
         pub quadratic: bool,
     }
+    ranges { side: powers_of_two(SIDES) }
     latency(self) = format!(
         "1 clock to the coefficients' bits, {} to the control of pixels; instructions follow without a gap",
         1 + self.lag(),

@@ -14,16 +14,21 @@
 //! Latency: 1 clock from a line's last plane to the memory; a plane a clock. A line is read in 1 clock.
 
 use super::backing_store::BitPlane;
-use super::{REGION_BITS, fields, side};
+use super::{REGION_BITS, SIDES, fields};
 use crate::prelude::*;
+use std::ops::RangeInclusive;
 
 block! {
     /// Assembles the picture from regions.
     pub struct FrameBuffer {
         /// The picture's size.
-        screen: Screen,
-        /// Pixels in a line of a region, and lines in a region; a power of two.
-        side: u32,
+        pub screen: Screen,
+        /// Pixels in a line of a region, and lines in a region.
+        pub side: u32,
+    }
+    ranges(self) {
+        /// The regions of a screen have numbers of 16 bits.
+        side: sides_on(self.screen),
     }
     latency = "1 clock from a line's last plane to the memory, 1 clock to read";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
@@ -46,28 +51,14 @@ block! {
     }
 }
 
+/// What the side of a region may be on a screen, where at most 2^[`REGION_BITS`] regions have numbers.
+pub(super) fn sides_on(screen: Screen) -> PowersOfTwo<RangeInclusive<u32>> {
+    let is_numbered = |side: &u32| FrameBuffer { screen, side: *side }.regions() <= 1 << REGION_BITS;
+    let least = SIDES.filter(|side| side.is_power_of_two()).find(is_numbered);
+    powers_of_two(least.unwrap_or(*SIDES.end())..=*SIDES.end())
+}
+
 impl FrameBuffer {
-    /// A frame buffer for a screen in regions of `pixels` x `pixels` pixels; `pixels` is a power of two from 2 to 256.
-    ///
-    /// # Errors
-    ///
-    /// There are no regions of that size, or the screen has more than 65,536 of them.
-    pub fn new(screen: Screen, pixels: u32) -> Result<FrameBuffer, ParameterError> {
-        let frame = FrameBuffer { screen, side: side(pixels)? };
-        if frame.regions() <= 1 << REGION_BITS {
-            return Ok(frame);
-        }
-        let (regions, most) = (frame.regions(), 1 << REGION_BITS);
-        Err(ParameterError(format!(
-            "a screen of {regions} regions: at most {most} can be numbered; choose larger regions"
-        )))
-    }
-
-    /// Pixels in a line of a region, and lines in a region.
-    pub fn side(&self) -> u32 {
-        self.side
-    }
-
     /// The number of regions side by side.
     pub fn columns(&self) -> u32 {
         self.screen.width.div_ceil(self.side)

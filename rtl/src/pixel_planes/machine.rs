@@ -25,7 +25,7 @@
 use super::REGION_BITS;
 use super::allocator::{RegionAllocator, RegionAllocatorIn};
 use super::backing_store::BitPlane;
-use super::frame_buffer::{FrameBuffer, FrameBufferIn, ReadLine};
+use super::frame_buffer::{FrameBuffer, FrameBufferIn, ReadLine, sides_on};
 use super::instruction::Instruction;
 use super::renderer::{Renderer, RendererIn};
 use super::ring::{Ring, RingIn};
@@ -35,17 +35,24 @@ block! {
     /// Renderers around a ring, with the region allocator and the frame buffer.
     pub struct PixelPlanes5 {
         /// The picture's size.
-        screen: Screen,
+        pub screen: Screen,
         /// The number of renderers.
-        renderers: u32,
-        /// Pixels in a line of a region, and lines in a region; a power of two.
-        side: u32,
+        pub renderers: u32,
+        /// Pixels in a line of a region, and lines in a region.
+        pub side: u32,
         /// The capacity of each renderer's queue, in instructions.
-        queue: u32,
+        pub queue: u32,
         /// Bits that the ring carries in a clock.
-        rate: u32,
+        pub rate: u32,
         /// Whether the renderers' expressions may be quadratic.
-        quadratic: bool,
+        pub quadratic: bool,
+    }
+    ranges(self) {
+        renderers: 1..=Ring::MOST_RENDERERS,
+        /// The regions of a screen have numbers of 16 bits.
+        side: sides_on(self.screen),
+        queue: 1..=Renderer::MOST,
+        rate: 1..=Ring::MOST,
     }
     latency = "the clocks of the last renderer to finish; 1 clock to read a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
@@ -78,53 +85,15 @@ block! {
 }
 
 impl PixelPlanes5 {
-    /// A machine with `renderers` renderers, each with a queue of `queue` instructions. A region has `side` x `side`
-    /// pixels. The ring carries `rate` bits a clock.
-    ///
-    /// # Errors
-    ///
-    /// A size is out of range for the renderers, the ring or the frame buffer.
-    ///
-    /// ```
-    /// use tilewright_rtl::{parameter::Screen, pixel_planes::machine::PixelPlanes5};
-    ///
-    /// let machine = PixelPlanes5::new(Screen::new(16, 16)?, 2, 8, 16, 125)?;
-    /// assert_eq!(machine.frame_buffer().regions(), 4);
-    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
-    /// ```
-    pub fn new(
-        screen: Screen,
-        renderers: u32,
-        side: u32,
-        queue: u32,
-        rate: u32,
-    ) -> Result<PixelPlanes5, ParameterError> {
-        Renderer::new(side, queue)?;
-        Ring::new(renderers, side, rate)?;
-        FrameBuffer::new(screen, side)?;
-        Ok(PixelPlanes5 { screen, renderers, side, queue, rate, quadratic: false })
-    }
-
-    /// This machine, with renderers that [evaluate quadratics](Renderer::quadratic) if `quadratic` is true.
-    #[must_use]
-    pub fn quadratic(self, quadratic: bool) -> PixelPlanes5 {
-        PixelPlanes5 { quadratic, ..self }
-    }
-
-    /// The number of renderers.
-    pub fn renderers(&self) -> u32 {
-        self.renderers
-    }
-
     /// The machine's frame buffer.
     pub fn frame_buffer(&self) -> FrameBuffer {
-        FrameBuffer::new(self.screen, self.side).expect("`new` checked the sizes")
+        FrameBuffer { screen: self.screen, side: self.side }
     }
 
     fn build(&self, m: Module, i: PixelPlanes5In) -> PixelPlanes5Out {
-        let &PixelPlanes5 { renderers, side, queue, rate, .. } = self;
-        let renderer = Renderer::new(side, queue).expect("`new` checked the sizes").quadratic(self.quadratic);
-        let ring = Ring::new(renderers, side, rate).expect("`new` checked the sizes");
+        let &PixelPlanes5 { renderers, side, queue, rate, quadratic, .. } = self;
+        let renderer = Renderer { side, queue, quadratic };
+        let ring = Ring { renderers, side, rate };
         let numbers = 0..renderers;
         let finished: Vec<_> =
             numbers.clone().map(|number| m.stream_wire(&format!("finished{number}"), BitPlane::widths(side))).collect();

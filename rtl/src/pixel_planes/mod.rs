@@ -37,7 +37,8 @@
 //! All sums are exact modulo powers of two, so bit-serial evaluation gives the contract's integers bit for bit (facts
 //! E0).
 
-use crate::prelude::{ParameterError, Period};
+use crate::prelude::Period;
+use std::ops::RangeInclusive;
 
 pub mod allocator;
 pub mod backing_store;
@@ -69,16 +70,5 @@ pub const SIDE: u32 = 128;
 /// pixels.
 pub const REGION_BITS: u32 = 16;
 
-/// Checks that there is hardware for this many pixels along a side of a region.
-///
-/// # Errors
-///
-/// `pixels` is not a power of two from 2 to 256.
-pub fn side(pixels: u32) -> Result<u32, ParameterError> {
-    if pixels.is_power_of_two() && (2..=256).contains(&pixels) {
-        return Ok(pixels);
-    }
-    Err(ParameterError(format!(
-        "a region of {pixels} x {pixels} pixels: its side has to be a power of two from 2 to 256"
-    )))
-}
+/// The least and the greatest side of a region in pixels; it is a power of two.
+pub const SIDES: RangeInclusive<u32> = 2..=256;

@@ -35,6 +35,7 @@
 //!
 //! Latency: 4 log2 S clocks. Each pixel gets a bit a clock, and expressions may follow one another without a gap.
 
+use super::SIDES;
 use super::bit_serial::{beginnings, delayed, doubled, is_right, shifted, sum};
 use super::linear_tree::Coefficients;
 use crate::prelude::*;
@@ -42,9 +43,10 @@ use crate::prelude::*;
 block! {
     /// Evaluates a quadratic expression at every pixel of a square.
     pub struct QuadraticTree {
-        /// Pixels in a line, and lines in the square; a power of two from 2 to 256.
+        /// Pixels in a line, and lines in the square.
         pub side: u32,
     }
+    ranges { side: powers_of_two(SIDES) }
     latency(self) = format!("{} clocks from a coefficient's bit to the expression's bit at each pixel", self.latency());
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) QuadraticTreeIn {

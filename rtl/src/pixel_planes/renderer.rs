@@ -26,19 +26,21 @@ use super::instruction::Instruction;
 use super::linear_tree::{LinearTree, LinearTreeIn};
 use super::pixel::{PixelProcessor, PixelProcessorIn};
 use super::quadratic_tree::{QuadraticTree, QuadraticTreeIn};
-use super::{fields, side};
+use super::{SIDES, fields};
 use crate::prelude::*;
 
 block! {
     /// Draws regions of the screen, one after another.
     pub struct Renderer {
-        /// Pixels in a line of a region, and lines in a region; a power of two.
-        side: u32,
+        /// Pixels in a line of a region, and lines in a region.
+        pub side: u32,
         /// The capacity of the queue, in instructions.
-        queue: u32,
-        /// Whether expressions may be quadratic.
-        quadratic: bool,
+        pub queue: u32,
+        /// Whether expressions may be quadratic: with a [quadratic tree](super::quadratic_tree), the renderer also takes
+        /// [curves](super::instruction::Operation::Curve).
+        pub quadratic: bool,
     }
+    ranges { side: powers_of_two(SIDES), queue: 1..=Renderer::MOST }
     latency = "a primitive takes the clocks of its instructions; a region is sent in 48 clocks a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
     in RendererIn {
@@ -70,58 +72,21 @@ impl Renderer {
     /// later. An instruction has 8 bits or more.
     pub const REST: u64 = 96;
 
-    /// A renderer for regions of `pixels` x `pixels` pixels, with a queue of `queue` instructions; `pixels` is a power of
-    /// two from 2 to 256.
-    ///
-    /// # Errors
-    ///
-    /// The side of a region or the capacity of the queue is out of range.
-    pub fn new(pixels: u32, queue: u32) -> Result<Renderer, ParameterError> {
-        if !(1..=Renderer::MOST).contains(&queue) {
-            let most = Renderer::MOST;
-            return Err(ParameterError(format!("a queue of {queue} instructions: it has to hold from 1 to {most}")));
-        }
-        Ok(Renderer { side: side(pixels)?, queue, quadratic: false })
-    }
-
-    /// This renderer, with a [quadratic tree](super::quadratic_tree) if `quadratic` is true. It then also takes
-    /// [curves](super::instruction::Operation::Curve).
+    /// Clocks that a bit takes from the controller to the pixels: 2 log2 S for a linear tree, 4 log2 S for a quadratic
+    /// one.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::renderer::Renderer;
     ///
-    /// let linear = Renderer::new(128, 16)?;
-    /// assert_eq!([linear.lag(), linear.quadratic(true).lag()], [14, 28]);
-    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
+    /// let lag = |quadratic| Renderer { side: 128, queue: 16, quadratic }.lag();
+    /// assert_eq!([lag(false), lag(true)], [14, 28]);
     /// ```
-    #[must_use]
-    pub fn quadratic(self, quadratic: bool) -> Renderer {
-        Renderer { quadratic, ..self }
-    }
-
-    /// Whether expressions may be quadratic.
-    pub fn is_quadratic(&self) -> bool {
-        self.quadratic
-    }
-
-    /// Clocks that a bit takes from the controller to the pixels: 2 log2 S for a linear tree, 4 log2 S for a quadratic
-    /// one.
     pub fn lag(&self) -> u32 {
         self.controller().lag()
     }
 
     fn controller(&self) -> ImageGenerationController {
         ImageGenerationController { side: self.side, quadratic: self.quadratic }
-    }
-
-    /// Pixels in a line of a region, and lines in a region.
-    pub fn side(&self) -> u32 {
-        self.side
-    }
-
-    /// The capacity of the queue, in instructions.
-    pub fn queue(&self) -> u32 {
-        self.queue
     }
 
     fn build(&self, m: Module, i: RendererIn) -> RendererOut {

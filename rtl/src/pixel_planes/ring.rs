@@ -27,19 +27,20 @@
 
 use super::backing_store::BitPlane;
 use super::instruction::Instruction;
-use super::{PERIOD, fields, side};
+use super::{PERIOD, SIDES, fields};
 use crate::prelude::*;
 
 block! {
     /// Carries instructions to renderers, and their planes to the frame buffer, at `rate` bits a clock.
     pub struct Ring {
         /// The number of renderers.
-        renderers: u32,
+        pub renderers: u32,
         /// Pixels in a line of a region.
-        side: u32,
-        /// Bits that the ring carries in a clock.
-        rate: u32,
+        pub side: u32,
+        /// Bits that the ring carries in a clock: 125 bits in 25 ns are 5 Gbit/s.
+        pub rate: u32,
     }
+    ranges { renderers: 1..=Ring::MOST_RENDERERS, side: powers_of_two(SIDES), rate: 1..=Ring::MOST }
     latency(self) = format!("none; {} bits a clock", self.rate);
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) RingIn {
@@ -78,34 +79,6 @@ impl Ring {
     /// The number of bits of an instruction.
     pub const INSTRUCTION: u32 = 154;
 
-    /// A ring that carries `rate` bits a clock, for `renderers` renderers of regions of `pixels` x `pixels` pixels. 125
-    /// bits in 25 ns are 5 Gbit/s.
-    ///
-    /// # Errors
-    ///
-    /// There are no regions of that size, or the number of renderers or bits is out of range.
-    ///
-    /// ```
-    /// use tilewright_rtl::pixel_planes::ring::Ring;
-    ///
-    /// assert_eq!(Ring::new(16, 128, 125)?.rate(), 125);
-    /// assert!(Ring::new(16, 128, 0).is_err());
-    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
-    /// ```
-    pub fn new(renderers: u32, pixels: u32, rate: u32) -> Result<Ring, ParameterError> {
-        if !(1..=Ring::MOST_RENDERERS).contains(&renderers) {
-            let most = Ring::MOST_RENDERERS;
-            return Err(ParameterError(format!(
-                "a ring of {renderers} renderers: the number has to be from 1 to {most}"
-            )));
-        }
-        if !(1..=Ring::MOST).contains(&rate) {
-            let most = Ring::MOST;
-            return Err(ParameterError(format!("a ring of {rate} bits a clock: the rate has to be from 1 to {most}")));
-        }
-        Ok(Ring { renderers, side: side(pixels)?, rate })
-    }
-
     /// The bits per clock of a ring of `megabits` Mbit/s.
     ///
     /// # Errors
@@ -133,20 +106,10 @@ impl Ring {
         )))
     }
 
-    /// Bits that the ring carries in a clock.
-    pub fn rate(&self) -> u32 {
-        self.rate
-    }
-
-    /// Bits of one plane of a line.
-    pub fn plane(&self) -> u32 {
-        self.side
-    }
-
     /// The greatest credit, which is also the initial credit. With a lower limit, bits of the next clock would be lost
     /// while a message waits.
     pub fn most_credit(&self) -> u32 {
-        Ring::INSTRUCTION.max(self.plane()) - 1 + self.rate
+        Ring::INSTRUCTION.max(self.side) - 1 + self.rate
     }
 
     fn build(&self, m: Module, i: RingIn) -> RingOut {
@@ -208,7 +171,7 @@ impl Ring {
     /// Whether the request of a station, if any, is granted. `place` counts the stations visited in the clock.
     fn visit(&self, turn: &mut Turn, station: u32, request: Signal, place: u32) -> Signal {
         let is_plane = station >= self.renderers;
-        let bits = if is_plane { self.plane() } else { Ring::INSTRUCTION };
+        let bits = if is_plane { self.side } else { Ring::INSTRUCTION };
         let may = !turn.waits & if is_plane { !turn.plane_goes } else { lit(1, 1) };
         let wants = (request & may).named(&format!("wants{place}"));
         let pays = turn.credit.ge(bits);

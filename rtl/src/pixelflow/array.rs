@@ -29,17 +29,18 @@ use super::linear_evaluator::{LinearEvaluator, LinearEvaluatorIn};
 use super::network_port::NetworkPort;
 use super::pixel::{PixelProcessor, PixelProcessorIn};
 use super::registers::{CommunicationRegisters, CommunicationRegistersIn, PortAccess};
-use super::{ARRAY, NETWORK, extents};
+use super::{ARRAY, NETWORK, SIDES};
 use crate::prelude::*;
 
 block! {
     /// Pixels that execute one instruction stream.
     pub struct PixelArray {
         /// The number of pixels in a line of a region.
-        width: u32,
-        /// The number of lines of a region.
-        height: u32,
+        pub width: u32,
+        /// The number of lines of a region; a chip has two.
+        pub height: u32,
     }
+    ranges { width: powers_of_two(SIDES), height: powers_of_two(SIDES) }
     latency = "the clocks of the instructions; 0 clocks for a port to read a byte";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) PixelArrayIn {
@@ -69,26 +70,6 @@ block! {
 }
 
 impl PixelArray {
-    /// An array of `width` x `height` pixels, each a power of two from 2 to 256.
-    ///
-    /// # Errors
-    ///
-    /// The width or the height is not such a power of two.
-    pub fn new(width: u32, height: u32) -> Result<PixelArray, ParameterError> {
-        let [width, height] = extents(width, height)?;
-        Ok(PixelArray { width, height })
-    }
-
-    /// The number of pixels in a line.
-    pub fn width(&self) -> u32 {
-        self.width
-    }
-
-    /// The number of lines.
-    pub fn height(&self) -> u32 {
-        self.height
-    }
-
     /// The number of chips, which have two lines each.
     pub fn chips(&self) -> u32 {
         self.height / 2

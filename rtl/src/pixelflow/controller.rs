@@ -33,6 +33,7 @@
 //! the latency of the evaluator.
 
 use self::slot::{Slot, Work};
+use super::SIDES;
 use super::instruction::{Instruction, LONGEST, Sync};
 use super::linear_evaluator::{Coefficients, LinearEvaluator};
 use super::pixel::{Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
@@ -46,11 +47,12 @@ pub const BANKS: u32 = 2;
 block! {
     /// Takes the instructions of a node, and controls the evaluator and the pixels.
     pub struct ArrayController {
-        /// The number of pixels in a line of a region; a power of two.
+        /// The number of pixels in a line of a region.
         pub width: u32,
-        /// The number of lines of a region; a power of two.
+        /// The number of lines of a region.
         pub height: u32,
     }
+    ranges { width: powers_of_two(SIDES), height: powers_of_two(SIDES) }
     latency(self) = format!(
         "1 clock to the bytes of the coefficients, {} to the control of pixels; the next instruction is taken with the last byte",
         1 + self.evaluator().latency(),

@@ -38,21 +38,28 @@
 //! the paper takes 52), and 1560 with 64 x 32 of eight samples. The scan reads a pixel per clock, and pauses for one
 //! clock between different frames.
 
-use super::extents;
+use super::SIDES;
 use super::registers::PortAccess;
 use super::texture_memory::fitting;
-use crate::parameter::{ParameterError, Screen};
 use crate::prelude::*;
 
 block! {
     /// Stores frames of a screen region by region, and scans them out.
     pub struct FrameBuffer {
-        /// The width and the height of the node's array in processors: powers of two.
-        array: [u32; 2],
-        /// The number of samples of a pixel: 1 or 8.
-        samples: u32,
+        /// The number of processors in a line of the node's array.
+        pub columns: u32,
+        /// The number of lines of the node's array.
+        pub rows: u32,
+        /// The number of samples of a pixel. Eight are two in each of 2 x 2 processors.
+        pub samples: u32,
         /// The screen.
-        screen: Screen,
+        pub screen: Screen,
+    }
+    ranges(self) {
+        samples: any_of([1, FrameBuffer::EIGHT]),
+        columns: powers_of_two(if self.samples == 1 { 2 } else { 8 }..=*SIDES.end()),
+        /// There is a memory for even chips and one for odd ones, of two lines each; eight samples of a pixel take twice as many lines.
+        rows: powers_of_two(if self.samples == 1 { 4 } else { 8 }..=*SIDES.end()),
     }
     latency(self) = format!("{} clocks for a region", self.clocks());
     source = "Reducing Latency on PixelFlow, section 4 (PFL-LOAD)";
@@ -103,58 +110,21 @@ const CHANNEL: u32 = 8;
 /// has a colour of each rendering.
 const SIDE: u32 = 2;
 const RENDERINGS: u32 = 2;
-const EIGHT: u32 = SIDE * SIDE * RENDERINGS;
 /// The bits of a channel's sum over eight samples.
-const SUM: u32 = CHANNEL + EIGHT.ilog2();
+const SUM: u32 = CHANNEL + FrameBuffer::EIGHT.ilog2();
 
 impl FrameBuffer {
-    /// A frame buffer for a screen in regions of `width` x `height` pixels.
-    ///
-    /// # Errors
-    ///
-    /// The region's sides are not powers of two from 2 to 256, or it has fewer than 4 lines.
-    pub fn new([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
-        let array = extents(width, height)?;
-        if height < 4 {
-            return Err(ParameterError(format!(
-                "a region of {height} lines: the frame buffer has a memory for even chips and one for odd ones, of two lines each; give at least 4"
-            )));
-        }
-        Ok(FrameBuffer { array, samples: 1, screen })
-    }
-
-    /// A frame buffer whose pixels have eight samples each: two in each of 2 x 2 processors of an array of `width` x
-    /// `height`.
-    ///
-    /// ```
-    /// use tilewright_rtl::parameter::Screen;
-    /// use tilewright_rtl::pixelflow::frame_buffer::FrameBuffer;
-    ///
-    /// let buffer = FrameBuffer::of_eight_samples([128, 64], Screen::new(640, 512)?)?;
-    /// assert_eq!((buffer.regions(), buffer.clocks()), ([10, 16], 1560));
-    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// The array's sides are not powers of two from 2 to 256, or one is below 8.
-    pub fn of_eight_samples([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
-        let array = extents(width, height)?;
-        if width < 8 || height < 8 {
-            let problem = format!("an array of {width} x {height} with eight samples a pixel: give at least 8 x 8");
-            return Err(ParameterError(problem));
-        }
-        Ok(FrameBuffer { array, samples: EIGHT, screen })
-    }
+    /// The samples of a pixel that is drawn with several: two in each of 2 x 2 processors.
+    pub const EIGHT: u32 = SIDE * SIDE * RENDERINGS;
 
     /// The number of chips of the node.
     pub fn chips(&self) -> u32 {
-        self.array[1] / 2
+        self.rows / 2
     }
 
     /// The number of processors of a chip.
     pub fn processors(&self) -> u32 {
-        2 * self.array[0]
+        2 * self.columns
     }
 
     /// The number of processors along a side of a pixel.
@@ -164,7 +134,7 @@ impl FrameBuffer {
 
     /// The width and the height of a region in pixels.
     fn region(&self) -> [u32; 2] {
-        self.array.map(|processors| processors / self.side())
+        [self.columns, self.rows].map(|processors| processors / self.side())
     }
 
     /// The number of pixels stored for each chip.
@@ -311,11 +281,11 @@ impl FrameBuffer {
         }
         // The lowest sum is that of the current channel.
         def!(sums = m.reg(bits(SUM * COLOUR).of(of_all)));
-        let half = lit(SUM, EIGHT / 2).of(of_all);
+        let half = lit(SUM, FrameBuffer::EIGHT / 2).of(of_all);
         def!(sum = mux(clock.lt(COLOUR), half, sums.part(0, SUM)) + seen.zext(SUM));
         def!(summed = mux(reads, cat![sum, sums.slice(SUM..SUM * COLOUR)], *sums));
         sums.next(summed);
-        let mean = |channel: u32| summed.part(channel * SUM + EIGHT.ilog2(), CHANNEL);
+        let mean = |channel: u32| summed.part(channel * SUM + FrameBuffer::EIGHT.ilog2(), CHANNEL);
         def!(gathered = cat![mean(2), mean(1), mean(0)]);
         gathered
     }

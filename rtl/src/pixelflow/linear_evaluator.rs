@@ -27,17 +27,19 @@
 //! Latency: 1 clock more than the larger tree has levels. Each pixel gets a byte in every clock, and expressions may
 //! follow one another without a gap.
 
+use super::SIDES;
 use crate::delays::{delays, mark_delays};
 use crate::prelude::*;
 
 block! {
     /// Evaluates a linear expression at every pixel of a region.
     pub struct LinearEvaluator {
-        /// The number of pixels in a line; a power of two, from 2 to 256.
+        /// The number of pixels in a line.
         pub width: u32,
-        /// The number of lines; a power of two, from 2 to 256.
+        /// The number of lines.
         pub height: u32,
     }
+    ranges { width: powers_of_two(SIDES), height: powers_of_two(SIDES) }
     latency(self) = format!("{} clocks from a byte of the coefficients to the expression's byte at each pixel", self.latency());
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) LinearEvaluatorIn {

@@ -41,21 +41,22 @@ block! {
     /// PixelFlow's nodes on a network with two directions.
     pub struct PixelFlow {
         /// The number of nodes.
-        nodes: u32,
+        pub nodes: u32,
         /// The node, the same for all.
-        node: Node,
+        pub node: Node,
     }
+    ranges { nodes: 2..=MOST_NODES }
     latency = "1 clock of the network per node; in the array, the clocks of each instruction";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)";
     in(self) PixelFlowIn {
         /// A write to the instruction memory of each node.
-        stores: [Store::widths(self.node.words()).on(ARRAY); self.nodes],
+        stores: [Store::widths(self.node.words).on(ARRAY); self.nodes],
         /// The frames that each node executes, one after another.
-        frames: [stream(Commands::widths(self.node.words())).on(ARRAY); self.nodes],
+        frames: [stream(Commands::widths(self.node.words)).on(ARRAY); self.nodes],
         /// Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
         side_by_side: bit().on(ARRAY),
         /// The access of each node's texture unit to its registers.
-        textures: [PortAccess::widths(&self.node.array().texture()).on(ARRAY); self.nodes],
+        textures: [PortAccess::widths(&self.node.array.texture()).on(ARRAY); self.nodes],
         /// For one clock: the texture unit of the node is done; a bit for each node.
         textures_done: bit().of(row(self.nodes)).on(ARRAY),
         /// The jobs of each node for the words that go forth, from the first node to the last.
@@ -65,7 +66,7 @@ block! {
     }
     out(self) PixelFlowOut {
         /// The byte of each chip that the texture unit of each node reads.
-        texture_seen: [bits(8).of(row(self.node.array().chips())); self.nodes],
+        texture_seen: [bits(8).of(row(self.node.array.chips())); self.nodes],
         /// For one clock: the texture unit of the node begins; a bit for each node.
         textures_start: bit().of(row(self.nodes)),
         /// All instructions have left the controller of the node; a bit for each node.
@@ -80,36 +81,6 @@ block! {
 }
 
 impl PixelFlow {
-    /// A machine with `nodes` nodes.
-    ///
-    /// # Errors
-    ///
-    /// There are fewer than two nodes, or more than [`MOST_NODES`].
-    ///
-    /// ```
-    /// use tilewright_rtl::pixelflow::{machine::PixelFlow, node::Node};
-    ///
-    /// let machine = PixelFlow::new(20, Node::new(128, 64, 1 << 16, 0)?)?;
-    /// assert_eq!(machine.nodes() * machine.node().array().chips(), 640);
-    /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
-    /// ```
-    pub fn new(nodes: u32, node: Node) -> Result<PixelFlow, ParameterError> {
-        if !(2..=MOST_NODES).contains(&nodes) {
-            return Err(ParameterError(format!("{nodes} nodes: a machine has 2 to {MOST_NODES}")));
-        }
-        Ok(PixelFlow { nodes, node })
-    }
-
-    /// The number of nodes.
-    pub fn nodes(&self) -> u32 {
-        self.nodes
-    }
-
-    /// The node, the same for all.
-    pub fn node(&self) -> &Node {
-        &self.node
-    }
-
     fn build(&self, m: Module, i: PixelFlowIn) -> PixelFlowOut {
         let [go_forth, go_back] = ["go_forth", "go_back"].map(|name| m.on(NETWORK).wire(name, bit()));
         let (jobs_forth, jobs_back) = (stack(i.forth), stack(i.back));

@@ -47,7 +47,8 @@
 //! | [`schedule`] | the clocks in which a controller takes instructions |
 //! | [`emulator`] | a software model of what instructions do to a pixel |
 
-use crate::prelude::{Clock, ParameterError, Period};
+use crate::prelude::{Clock, Period};
+use std::ops::RangeInclusive;
 
 pub mod array;
 pub mod command_dma;
@@ -89,14 +90,5 @@ pub const PIXELS: u32 = 256;
 /// The number of chips of a node with 128 x 64 pixels (PFL-NODE).
 pub const CHIPS: u32 = 32;
 
-/// Checks that there is hardware for regions of `width` x `height` pixels, and returns both.
-///
-/// # Errors
-///
-/// One of them is not a power of two from 2 to 256.
-pub fn extents(width: u32, height: u32) -> Result<[u32; 2], ParameterError> {
-    if [width, height].iter().all(|extent| extent.is_power_of_two() && (2..=256).contains(extent)) {
-        return Ok([width, height]);
-    }
-    Err(ParameterError(format!("a region of {width} x {height} pixels: both have to be powers of two from 2 to 256")))
-}
+/// The least and the greatest width and height of a region in pixels; each is a power of two.
+pub const SIDES: RangeInclusive<u32> = 2..=256;

@@ -36,12 +36,6 @@ use crate::prelude::*;
 /// The directions of the network.
 pub const DIRECTIONS: u32 = 2;
 
-/// The greatest capacity of a node's memory, in instructions.
-pub const MOST: u32 = 1 << 20;
-
-/// The longest set-up, in clocks of the network.
-pub const LONGEST_SETUP: u32 = 1 << 16;
-
 record! {
     /// Signals to a node from a direction of the network.
     pub struct DirectionIn(port: &NetworkPort) {
@@ -66,16 +60,23 @@ bundle! {
     }
 }
 
+/// The greatest capacity of a node's memory, in instructions.
+pub const MOST: u32 = 1 << 20;
+
+/// The longest set-up, in clocks of the network.
+pub const LONGEST_SETUP: u32 = 1 << 16;
+
 block! {
     /// A node of PixelFlow without its geometry processors.
     pub struct Node {
         /// The array of pixels.
-        array: PixelArray,
+        pub array: PixelArray,
         /// The capacity of the instruction memory.
-        words: u32,
+        pub words: u32,
         /// The set-up before a word, in clocks of the network.
-        setup: u32,
+        pub setup: u32,
     }
+    ranges { words: 1..=MOST, setup: ..=LONGEST_SETUP }
     latency = "1 clock of the network for a byte of each chip; in the array, the clocks of each instruction";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)";
     in(self) NodeIn {
@@ -105,39 +106,6 @@ block! {
 }
 
 impl Node {
-    /// A node with `width` x `height` pixels, a memory for `words` instructions, and a set-up of `setup` clocks of the
-    /// network before each word.
-    ///
-    /// # Errors
-    ///
-    /// No array has this size; or the memory has no instructions, or more than [`MOST`]; or the set-up is above
-    /// [`LONGEST_SETUP`].
-    pub fn new(width: u32, height: u32, words: u32, setup: u32) -> Result<Node, ParameterError> {
-        let array = PixelArray::new(width, height)?;
-        if !(1..=MOST).contains(&words) {
-            return Err(ParameterError(format!("a memory of {words} instructions: it has to hold from 1 to {MOST}")));
-        }
-        if setup > LONGEST_SETUP {
-            return Err(ParameterError(format!("a set-up of {setup} clocks: it has to be at most {LONGEST_SETUP}")));
-        }
-        Ok(Node { array, words, setup })
-    }
-
-    /// The array of pixels.
-    pub fn array(&self) -> &PixelArray {
-        &self.array
-    }
-
-    /// The capacity of the instruction memory.
-    pub fn words(&self) -> u32 {
-        self.words
-    }
-
-    /// The set-up before a word, in clocks of the network.
-    pub fn setup(&self) -> u32 {
-        self.setup
-    }
-
     /// The port to a direction of the network.
     pub fn port(&self) -> NetworkPort {
         self.array.network_port()

@@ -26,10 +26,8 @@
 use tilewright_blocks::StreamBlocks;
 
 use super::controller::{Show, VideoController, VideoControllerIn};
-use super::coverage_test::Test;
 use super::format::{Format, Packet};
-use super::processor::{Queues, VideoProcessor, VideoProcessorIn};
-use super::raster::Form;
+use super::processor::{VideoProcessor, VideoProcessorIn};
 use super::tally::Tally;
 use super::video_buffer::Scan;
 use crate::prelude::*;
@@ -37,7 +35,8 @@ use crate::prelude::*;
 block! {
     /// The matrix of video processors of a sparse-raster quadtree generator, with its video controller.
     pub struct QuadtreeGenerator {
-        video_processor: VideoProcessor,
+        /// Each of the video processors.
+        pub video_processor: VideoProcessor,
     }
     latency = "the clocks of the slowest video processor; 2 clocks from `start` to the first pixels";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)";
@@ -75,30 +74,9 @@ block! {
 }
 
 impl QuadtreeGenerator {
-    /// A generator with these video processors.
-    ///
-    /// # Errors
-    ///
-    /// The capacity of a queue is out of range.
-    pub fn new(format: Format, form: Form, test: Test, queues: Queues) -> Result<QuadtreeGenerator, ParameterError> {
-        let Queues { broadcast, packets, windows } = queues;
-        for (queue, name) in [(broadcast, "broadcast"), (packets, "packet"), (windows, "window")] {
-            if !(1..=Queues::MOST).contains(&queue) {
-                let most = Queues::MOST;
-                return Err(ParameterError(format!("a {name} queue of {queue}: it has to hold from 1 to {most}")));
-            }
-        }
-        Ok(QuadtreeGenerator { video_processor: VideoProcessor { format, form, test, queues } })
-    }
-
     /// The generator's format.
     pub fn format(&self) -> Format {
         self.video_processor.format
-    }
-
-    /// The description of each of the video processors.
-    pub fn processor(&self) -> &VideoProcessor {
-        &self.video_processor
     }
 
     fn build(&self, m: Module, i: QuadtreeGeneratorIn) -> QuadtreeGeneratorOut {

@@ -19,7 +19,7 @@ use super::tally::Tally;
 use super::video_buffer::{Scan, VideoBuffer, VideoBufferIn};
 use crate::prelude::*;
 
-/// The capacities of a generator's queues; each is at least one.
+/// The capacities of a generator's queues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Queues {
     /// Packets from the geometry processor, before the broadcast.
@@ -46,6 +46,11 @@ block! {
         pub test: Test,
         /// The capacities of the queues.
         pub queues: Queues,
+    }
+    ranges {
+        queues.broadcast: 1..=Queues::MOST,
+        queues.packets: 1..=Queues::MOST,
+        queues.windows: 1..=Queues::MOST,
     }
     latency = "a polygon takes a clock for each edge, but at least 4, and the clocks of the windows that it covers";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";

@@ -5,7 +5,7 @@
 // Parameters  ArrayController { width: 8, height: 4 }
 // Latency     1 clock to the bytes of the coefficients, 6 to the control of pixels; the next instruction is taken with the last byte
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/controller.rs:46
+// Described   rtl/src/pixelflow/controller.rs:47
 `default_nettype none
 
 module array_controller_width8_height4 (
@@ -140,154 +140,154 @@ module array_controller_width8_height4 (
     reg [39:0] memory_bytes;                                     // rtl/src/pixelflow/controller/slot.rs:99
     reg [8:0] memory_read;                                       // rtl/src/pixelflow/controller/slot.rs:101
     reg [8:0] memory_write;                                      // rtl/src/pixelflow/controller/slot.rs:102
-    reg waits;                                                   // rtl/src/pixelflow/controller.rs:135
-    reg [1:0] waiting_action_source;                             // rtl/src/pixelflow/controller.rs:136
-    reg [3:0] waiting_action_function;                           // rtl/src/pixelflow/controller.rs:136
-    reg [1:0] waiting_action_begin;                              // rtl/src/pixelflow/controller.rs:136
-    reg [1:0] waiting_action_mask;                               // rtl/src/pixelflow/controller.rs:136
-    reg waiting_action_accumulates;                              // rtl/src/pixelflow/controller.rs:136
-    reg waiting_action_stores;                                   // rtl/src/pixelflow/controller.rs:136
-    reg [1:0] waiting_action_condition;                          // rtl/src/pixelflow/controller.rs:136
-    reg [2:0] waiting_action_enabling;                           // rtl/src/pixelflow/controller.rs:136
-    reg waiting_action_by_sign;                                  // rtl/src/pixelflow/controller.rs:136
-    reg [1:0] waiting_action_flagging;                           // rtl/src/pixelflow/controller.rs:136
-    reg waiting_action_on_memory;                                // rtl/src/pixelflow/controller.rs:136
-    reg waiting_action_descends;                                 // rtl/src/pixelflow/controller.rs:136
-    reg waiting_action_gives;                                    // rtl/src/pixelflow/controller.rs:136
-    reg [1:0] waiting_action_bank;                               // rtl/src/pixelflow/controller.rs:136
-    reg waiting_action_starts;                                   // rtl/src/pixelflow/controller.rs:136
-    reg [2:0] waiting_skip;                                      // rtl/src/pixelflow/controller.rs:136
-    reg [3:0] waiting_length;                                    // rtl/src/pixelflow/controller.rs:136
-    reg [8:0] waiting_read;                                      // rtl/src/pixelflow/controller.rs:136
-    reg [8:0] waiting_write;                                     // rtl/src/pixelflow/controller.rs:136
-    reg [39:0] waiting_constant;                                 // rtl/src/pixelflow/controller.rs:136
-    reg [1:0] banks_under_way;                                   // rtl/src/pixelflow/controller.rs:219
-    reg texture_under_way;                                       // rtl/src/pixelflow/controller.rs:220
+    reg waits;                                                   // rtl/src/pixelflow/controller.rs:137
+    reg [1:0] waiting_action_source;                             // rtl/src/pixelflow/controller.rs:138
+    reg [3:0] waiting_action_function;                           // rtl/src/pixelflow/controller.rs:138
+    reg [1:0] waiting_action_begin;                              // rtl/src/pixelflow/controller.rs:138
+    reg [1:0] waiting_action_mask;                               // rtl/src/pixelflow/controller.rs:138
+    reg waiting_action_accumulates;                              // rtl/src/pixelflow/controller.rs:138
+    reg waiting_action_stores;                                   // rtl/src/pixelflow/controller.rs:138
+    reg [1:0] waiting_action_condition;                          // rtl/src/pixelflow/controller.rs:138
+    reg [2:0] waiting_action_enabling;                           // rtl/src/pixelflow/controller.rs:138
+    reg waiting_action_by_sign;                                  // rtl/src/pixelflow/controller.rs:138
+    reg [1:0] waiting_action_flagging;                           // rtl/src/pixelflow/controller.rs:138
+    reg waiting_action_on_memory;                                // rtl/src/pixelflow/controller.rs:138
+    reg waiting_action_descends;                                 // rtl/src/pixelflow/controller.rs:138
+    reg waiting_action_gives;                                    // rtl/src/pixelflow/controller.rs:138
+    reg [1:0] waiting_action_bank;                               // rtl/src/pixelflow/controller.rs:138
+    reg waiting_action_starts;                                   // rtl/src/pixelflow/controller.rs:138
+    reg [2:0] waiting_skip;                                      // rtl/src/pixelflow/controller.rs:138
+    reg [3:0] waiting_length;                                    // rtl/src/pixelflow/controller.rs:138
+    reg [8:0] waiting_read;                                      // rtl/src/pixelflow/controller.rs:138
+    reg [8:0] waiting_write;                                     // rtl/src/pixelflow/controller.rs:138
+    reg [39:0] waiting_constant;                                 // rtl/src/pixelflow/controller.rs:138
+    reg [1:0] banks_under_way;                                   // rtl/src/pixelflow/controller.rs:221
+    reg texture_under_way;                                       // rtl/src/pixelflow/controller.rs:222
     reg [39:0] a;                                                // rtl/src/pixelflow/controller/slot.rs:159
     reg [39:0] b;                                                // rtl/src/pixelflow/controller/slot.rs:159
-    reg [1:0] sent1_control_source;                              // rtl/src/pixelflow/controller.rs:201
-    reg [7:0] sent1_control_constant;                            // rtl/src/pixelflow/controller.rs:201
-    reg [3:0] sent1_control_function;                            // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent1_control_begin;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent1_control_mask;                                // rtl/src/pixelflow/controller.rs:201
-    reg sent1_control_accumulates;                               // rtl/src/pixelflow/controller.rs:201
-    reg sent1_control_stores;                                    // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent1_control_condition;                           // rtl/src/pixelflow/controller.rs:201
-    reg [2:0] sent1_control_enabling;                            // rtl/src/pixelflow/controller.rs:201
-    reg sent1_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent1_control_flagging;                            // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent1_control_read;                                // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent1_control_write;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent1_given_banks;                                 // rtl/src/pixelflow/controller.rs:201
-    reg sent1_given_texture;                                     // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent2_control_source;                              // rtl/src/pixelflow/controller.rs:201
-    reg [7:0] sent2_control_constant;                            // rtl/src/pixelflow/controller.rs:201
-    reg [3:0] sent2_control_function;                            // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent2_control_begin;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent2_control_mask;                                // rtl/src/pixelflow/controller.rs:201
-    reg sent2_control_accumulates;                               // rtl/src/pixelflow/controller.rs:201
-    reg sent2_control_stores;                                    // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent2_control_condition;                           // rtl/src/pixelflow/controller.rs:201
-    reg [2:0] sent2_control_enabling;                            // rtl/src/pixelflow/controller.rs:201
-    reg sent2_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent2_control_flagging;                            // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent2_control_read;                                // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent2_control_write;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent2_given_banks;                                 // rtl/src/pixelflow/controller.rs:201
-    reg sent2_given_texture;                                     // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent3_control_source;                              // rtl/src/pixelflow/controller.rs:201
-    reg [7:0] sent3_control_constant;                            // rtl/src/pixelflow/controller.rs:201
-    reg [3:0] sent3_control_function;                            // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent3_control_begin;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent3_control_mask;                                // rtl/src/pixelflow/controller.rs:201
-    reg sent3_control_accumulates;                               // rtl/src/pixelflow/controller.rs:201
-    reg sent3_control_stores;                                    // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent3_control_condition;                           // rtl/src/pixelflow/controller.rs:201
-    reg [2:0] sent3_control_enabling;                            // rtl/src/pixelflow/controller.rs:201
-    reg sent3_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent3_control_flagging;                            // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent3_control_read;                                // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent3_control_write;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent3_given_banks;                                 // rtl/src/pixelflow/controller.rs:201
-    reg sent3_given_texture;                                     // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent4_control_source;                              // rtl/src/pixelflow/controller.rs:201
-    reg [7:0] sent4_control_constant;                            // rtl/src/pixelflow/controller.rs:201
-    reg [3:0] sent4_control_function;                            // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent4_control_begin;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent4_control_mask;                                // rtl/src/pixelflow/controller.rs:201
-    reg sent4_control_accumulates;                               // rtl/src/pixelflow/controller.rs:201
-    reg sent4_control_stores;                                    // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent4_control_condition;                           // rtl/src/pixelflow/controller.rs:201
-    reg [2:0] sent4_control_enabling;                            // rtl/src/pixelflow/controller.rs:201
-    reg sent4_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent4_control_flagging;                            // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent4_control_read;                                // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent4_control_write;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent4_given_banks;                                 // rtl/src/pixelflow/controller.rs:201
-    reg sent4_given_texture;                                     // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent5_control_source;                              // rtl/src/pixelflow/controller.rs:201
-    reg [7:0] sent5_control_constant;                            // rtl/src/pixelflow/controller.rs:201
-    reg [3:0] sent5_control_function;                            // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent5_control_begin;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent5_control_mask;                                // rtl/src/pixelflow/controller.rs:201
-    reg sent5_control_accumulates;                               // rtl/src/pixelflow/controller.rs:201
-    reg sent5_control_stores;                                    // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent5_control_condition;                           // rtl/src/pixelflow/controller.rs:201
-    reg [2:0] sent5_control_enabling;                            // rtl/src/pixelflow/controller.rs:201
-    reg sent5_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent5_control_flagging;                            // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent5_control_read;                                // rtl/src/pixelflow/controller.rs:201
-    reg [8:0] sent5_control_write;                               // rtl/src/pixelflow/controller.rs:201
-    reg [1:0] sent5_given_banks;                                 // rtl/src/pixelflow/controller.rs:201
-    reg sent5_given_texture;                                     // rtl/src/pixelflow/controller.rs:201
+    reg [1:0] sent1_control_source;                              // rtl/src/pixelflow/controller.rs:203
+    reg [7:0] sent1_control_constant;                            // rtl/src/pixelflow/controller.rs:203
+    reg [3:0] sent1_control_function;                            // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent1_control_begin;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent1_control_mask;                                // rtl/src/pixelflow/controller.rs:203
+    reg sent1_control_accumulates;                               // rtl/src/pixelflow/controller.rs:203
+    reg sent1_control_stores;                                    // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent1_control_condition;                           // rtl/src/pixelflow/controller.rs:203
+    reg [2:0] sent1_control_enabling;                            // rtl/src/pixelflow/controller.rs:203
+    reg sent1_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent1_control_flagging;                            // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent1_control_read;                                // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent1_control_write;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent1_given_banks;                                 // rtl/src/pixelflow/controller.rs:203
+    reg sent1_given_texture;                                     // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent2_control_source;                              // rtl/src/pixelflow/controller.rs:203
+    reg [7:0] sent2_control_constant;                            // rtl/src/pixelflow/controller.rs:203
+    reg [3:0] sent2_control_function;                            // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent2_control_begin;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent2_control_mask;                                // rtl/src/pixelflow/controller.rs:203
+    reg sent2_control_accumulates;                               // rtl/src/pixelflow/controller.rs:203
+    reg sent2_control_stores;                                    // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent2_control_condition;                           // rtl/src/pixelflow/controller.rs:203
+    reg [2:0] sent2_control_enabling;                            // rtl/src/pixelflow/controller.rs:203
+    reg sent2_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent2_control_flagging;                            // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent2_control_read;                                // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent2_control_write;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent2_given_banks;                                 // rtl/src/pixelflow/controller.rs:203
+    reg sent2_given_texture;                                     // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent3_control_source;                              // rtl/src/pixelflow/controller.rs:203
+    reg [7:0] sent3_control_constant;                            // rtl/src/pixelflow/controller.rs:203
+    reg [3:0] sent3_control_function;                            // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent3_control_begin;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent3_control_mask;                                // rtl/src/pixelflow/controller.rs:203
+    reg sent3_control_accumulates;                               // rtl/src/pixelflow/controller.rs:203
+    reg sent3_control_stores;                                    // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent3_control_condition;                           // rtl/src/pixelflow/controller.rs:203
+    reg [2:0] sent3_control_enabling;                            // rtl/src/pixelflow/controller.rs:203
+    reg sent3_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent3_control_flagging;                            // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent3_control_read;                                // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent3_control_write;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent3_given_banks;                                 // rtl/src/pixelflow/controller.rs:203
+    reg sent3_given_texture;                                     // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent4_control_source;                              // rtl/src/pixelflow/controller.rs:203
+    reg [7:0] sent4_control_constant;                            // rtl/src/pixelflow/controller.rs:203
+    reg [3:0] sent4_control_function;                            // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent4_control_begin;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent4_control_mask;                                // rtl/src/pixelflow/controller.rs:203
+    reg sent4_control_accumulates;                               // rtl/src/pixelflow/controller.rs:203
+    reg sent4_control_stores;                                    // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent4_control_condition;                           // rtl/src/pixelflow/controller.rs:203
+    reg [2:0] sent4_control_enabling;                            // rtl/src/pixelflow/controller.rs:203
+    reg sent4_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent4_control_flagging;                            // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent4_control_read;                                // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent4_control_write;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent4_given_banks;                                 // rtl/src/pixelflow/controller.rs:203
+    reg sent4_given_texture;                                     // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent5_control_source;                              // rtl/src/pixelflow/controller.rs:203
+    reg [7:0] sent5_control_constant;                            // rtl/src/pixelflow/controller.rs:203
+    reg [3:0] sent5_control_function;                            // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent5_control_begin;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent5_control_mask;                                // rtl/src/pixelflow/controller.rs:203
+    reg sent5_control_accumulates;                               // rtl/src/pixelflow/controller.rs:203
+    reg sent5_control_stores;                                    // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent5_control_condition;                           // rtl/src/pixelflow/controller.rs:203
+    reg [2:0] sent5_control_enabling;                            // rtl/src/pixelflow/controller.rs:203
+    reg sent5_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent5_control_flagging;                            // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent5_control_read;                                // rtl/src/pixelflow/controller.rs:203
+    reg [8:0] sent5_control_write;                               // rtl/src/pixelflow/controller.rs:203
+    reg [1:0] sent5_given_banks;                                 // rtl/src/pixelflow/controller.rs:203
+    reg sent5_given_texture;                                     // rtl/src/pixelflow/controller.rs:203
 
-    wire expression = instructions_source == SOURCE_EXPRESSION;  // rtl/src/pixelflow/controller.rs:109
-    wire on_enable_or = (instructions_enabling != ENABLING_KEEP) | (instructions_mask == MASK_ENABLED); // rtl/src/pixelflow/controller.rs:120
-    wire on_enable = on_enable_or | (instructions_flagging == FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:118
-    wire on_evaluator = expression | on_enable;                  // rtl/src/pixelflow/controller.rs:122
+    wire expression = instructions_source == SOURCE_EXPRESSION;  // rtl/src/pixelflow/controller.rs:111
+    wire on_enable_or = (instructions_enabling != ENABLING_KEEP) | (instructions_mask == MASK_ENABLED); // rtl/src/pixelflow/controller.rs:122
+    wire on_enable = on_enable_or | (instructions_flagging == FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:120
+    wire on_evaluator = expression | on_enable;                  // rtl/src/pixelflow/controller.rs:124
     wire evaluator_ends = evaluator_left <= 5'd1;                // rtl/src/pixelflow/controller/slot.rs:100
-    wire writes_or = instructions_accumulates | instructions_stores; // rtl/src/pixelflow/controller.rs:116
-    wire writes = (instructions_mask != MASK_NOBODY) & writes_or; // rtl/src/pixelflow/controller.rs:116
-    wire quiet_and_2 = (instructions_function == FUNCTION_OPERAND) & !writes; // rtl/src/pixelflow/controller.rs:117
-    wire quiet_and = quiet_and_2 & (instructions_flagging == FLAGGING_KEEP); // rtl/src/pixelflow/controller.rs:117
-    wire looks_or = (instructions_enabling == ENABLING_REPLACE) | (instructions_enabling == ENABLING_RESTRICT); // rtl/src/pixelflow/controller.rs:111
-    wire looks = looks_or | (instructions_enabling == ENABLING_PUSH); // rtl/src/pixelflow/controller.rs:114
-    wire by_sign = looks & expression & (instructions_condition == CONDITION_POSITIVE); // rtl/src/pixelflow/controller.rs:115
-    wire quiet = quiet_and & (!looks | by_sign);                 // rtl/src/pixelflow/controller.rs:117
-    wire on_memory = !on_evaluator | !quiet;                     // rtl/src/pixelflow/controller.rs:123
-    wire [4:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 5'd0); // rtl/src/pixelflow/controller.rs:140
-    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 5'd1); // rtl/src/pixelflow/controller.rs:141
-    wire evaluator_may = evaluator_ends & (!on_memory | ends_in_time); // rtl/src/pixelflow/controller.rs:142
+    wire writes_or = instructions_accumulates | instructions_stores; // rtl/src/pixelflow/controller.rs:118
+    wire writes = (instructions_mask != MASK_NOBODY) & writes_or; // rtl/src/pixelflow/controller.rs:118
+    wire quiet_and_2 = (instructions_function == FUNCTION_OPERAND) & !writes; // rtl/src/pixelflow/controller.rs:119
+    wire quiet_and = quiet_and_2 & (instructions_flagging == FLAGGING_KEEP); // rtl/src/pixelflow/controller.rs:119
+    wire looks_or = (instructions_enabling == ENABLING_REPLACE) | (instructions_enabling == ENABLING_RESTRICT); // rtl/src/pixelflow/controller.rs:113
+    wire looks = looks_or | (instructions_enabling == ENABLING_PUSH); // rtl/src/pixelflow/controller.rs:116
+    wire by_sign = looks & expression & (instructions_condition == CONDITION_POSITIVE); // rtl/src/pixelflow/controller.rs:117
+    wire quiet = quiet_and & (!looks | by_sign);                 // rtl/src/pixelflow/controller.rs:119
+    wire on_memory = !on_evaluator | !quiet;                     // rtl/src/pixelflow/controller.rs:125
+    wire [4:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 5'd0); // rtl/src/pixelflow/controller.rs:142
+    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 5'd1); // rtl/src/pixelflow/controller.rs:143
+    wire evaluator_may = evaluator_ends & (!on_memory | ends_in_time); // rtl/src/pixelflow/controller.rs:144
     wire memory_ends = memory_left <= 5'd1;                      // rtl/src/pixelflow/controller/slot.rs:100
-    wire memory_may_inverse = !((evaluator_left != 5'd0) & evaluator_action_on_memory); // rtl/src/pixelflow/controller.rs:143
-    wire memory_may = (!waits | memory_ends) & (evaluator_ends | memory_may_inverse); // rtl/src/pixelflow/controller.rs:143
-    wire both_end = evaluator_ends & memory_ends & !waits;       // rtl/src/pixelflow/controller.rs:144
-    wire in_turn = (side_by_side & (instructions_sync == SYNC_NOTHING)) | both_end; // rtl/src/pixelflow/controller.rs:146
-    wire may_and = (on_evaluator ? evaluator_may : memory_may) & in_turn; // rtl/src/pixelflow/controller.rs:147
-    wire [1:0] bank_is_out_and = banks_under_way & {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller.rs:228
-    wire bank_is_out = bank_is_out_and != 2'd0;                  // rtl/src/pixelflow/controller.rs:228
-    wire waits_for_bank = (instructions_sync == SYNC_AWAIT_BANK) & bank_is_out; // rtl/src/pixelflow/controller.rs:229
-    wire may_inverse = !(waits_for_bank | ((instructions_sync == SYNC_AWAIT_TEXTURE) & texture_under_way)); // rtl/src/pixelflow/controller.rs:147
-    wire may = may_and & may_inverse;                            // rtl/src/pixelflow/controller.rs:147
-    assign instructions_ready = may;                             // rtl/src/pixelflow/controller.rs:148
+    wire memory_may_inverse = !((evaluator_left != 5'd0) & evaluator_action_on_memory); // rtl/src/pixelflow/controller.rs:145
+    wire memory_may = (!waits | memory_ends) & (evaluator_ends | memory_may_inverse); // rtl/src/pixelflow/controller.rs:145
+    wire both_end = evaluator_ends & memory_ends & !waits;       // rtl/src/pixelflow/controller.rs:146
+    wire in_turn = (side_by_side & (instructions_sync == SYNC_NOTHING)) | both_end; // rtl/src/pixelflow/controller.rs:148
+    wire may_and = (on_evaluator ? evaluator_may : memory_may) & in_turn; // rtl/src/pixelflow/controller.rs:149
+    wire [1:0] bank_is_out_and = banks_under_way & {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller.rs:230
+    wire bank_is_out = bank_is_out_and != 2'd0;                  // rtl/src/pixelflow/controller.rs:230
+    wire waits_for_bank = (instructions_sync == SYNC_AWAIT_BANK) & bank_is_out; // rtl/src/pixelflow/controller.rs:231
+    wire may_inverse = !(waits_for_bank | ((instructions_sync == SYNC_AWAIT_TEXTURE) & texture_under_way)); // rtl/src/pixelflow/controller.rs:149
+    wire may = may_and & may_inverse;                            // rtl/src/pixelflow/controller.rs:149
+    assign instructions_ready = may;                             // rtl/src/pixelflow/controller.rs:150
     wire evaluator_is_word_at_most = evaluator_left <= {1'd0, evaluator_length}; // rtl/src/pixelflow/controller/slot.rs:98
     wire evaluator_is_word = (evaluator_left != 5'd0) & evaluator_is_word_at_most; // rtl/src/pixelflow/controller/slot.rs:98
     assign coefficients_c = evaluator_bytes[7:0];                // rtl/src/pixelflow/controller/slot.rs:103
     wire memory_is_word = (memory_left != 5'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixelflow/controller/slot.rs:98
-    wire instructions_taken = instructions_valid & may;          // rtl/src/pixelflow/controller.rs:148
+    wire instructions_taken = instructions_valid & may;          // rtl/src/pixelflow/controller.rs:150
     wire [1:0] banks_under_way_joined = {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller/slot.rs:73
-    wire banks_under_way_and = instructions_taken & (instructions_sync == SYNC_GIVE_BANK); // rtl/src/pixelflow/controller.rs:237
-    wire [1:0] banks_under_way_choice = banks_under_way_and ? banks_under_way_joined : 2'd0; // rtl/src/pixelflow/controller.rs:237
-    wire assumed_equal = (banks_under_way & banks_under_way_joined) == 2'd0; // rtl/src/pixelflow/controller.rs:240
-    wire assumed_or = (instructions_sync != SYNC_START_TEXTURE) | !texture_under_way; // rtl/src/pixelflow/controller.rs:241
+    wire banks_under_way_and = instructions_taken & (instructions_sync == SYNC_GIVE_BANK); // rtl/src/pixelflow/controller.rs:239
+    wire [1:0] banks_under_way_choice = banks_under_way_and ? banks_under_way_joined : 2'd0; // rtl/src/pixelflow/controller.rs:239
+    wire assumed_equal = (banks_under_way & banks_under_way_joined) == 2'd0; // rtl/src/pixelflow/controller.rs:242
+    wire assumed_or = (instructions_sync != SYNC_START_TEXTURE) | !texture_under_way; // rtl/src/pixelflow/controller.rs:243
     wire instructions_sync_is_give_bank = instructions_sync == SYNC_GIVE_BANK; // rtl/src/pixelflow/controller/slot.rs:57
     wire [1:0] evaluator_action_bank_joined = {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller/slot.rs:73
     wire evaluator_action_starts_equal = instructions_sync == SYNC_START_TEXTURE; // rtl/src/pixelflow/controller/slot.rs:59
-    wire evaluator_begins = instructions_taken & on_evaluator;   // rtl/src/pixelflow/controller.rs:153
-    wire for_memory = instructions_taken & !on_evaluator;        // rtl/src/pixelflow/controller.rs:154
-    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixelflow/controller.rs:155
-    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixelflow/controller.rs:158
-    wire [3:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixelflow/controller.rs:160
+    wire evaluator_begins = instructions_taken & on_evaluator;   // rtl/src/pixelflow/controller.rs:155
+    wire for_memory = instructions_taken & !on_evaluator;        // rtl/src/pixelflow/controller.rs:156
+    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixelflow/controller.rs:157
+    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixelflow/controller.rs:160
+    wire [3:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixelflow/controller.rs:162
     wire [4:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixelflow/controller/slot.rs:66
     assign coefficients_a = a[7:0];                              // rtl/src/pixelflow/controller/slot.rs:161
     assign coefficients_b = b[7:0];                              // rtl/src/pixelflow/controller/slot.rs:161
@@ -297,22 +297,22 @@ module array_controller_width8_height4 (
     wire sent1_given_texture_and = evaluator_is_word & (evaluator_left == 5'd1) & evaluator_action_starts; // rtl/src/pixelflow/controller/slot.rs:153
     wire sent1_given_banks_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_gives; // rtl/src/pixelflow/controller/slot.rs:153
     wire sent1_given_texture_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_starts; // rtl/src/pixelflow/controller/slot.rs:153
-    wire asserted_and_4 = (sent5_control_function <= FUNCTION_ADD_HALVED) & (sent5_control_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:262
-    wire asserted_and_3 = asserted_and_4 & (sent5_control_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:262
-    wire asserted_and_2 = asserted_and_3 & (sent5_control_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:262
-    wire assumed_and = (instructions_length != 4'd0) & (instructions_length <= 4'd8); // rtl/src/pixelflow/controller.rs:247
-    wire assumed_at_least = ({1'd0, instructions_read} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:252
-    wire assumed_at_most = ({1'd0, instructions_read} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:252
-    wire assumed_choice = instructions_descends ? assumed_at_least : assumed_at_most; // rtl/src/pixelflow/controller.rs:252
-    wire assumed_at_least_2 = ({1'd0, instructions_write} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:252
-    wire assumed_at_most_2 = ({1'd0, instructions_write} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:252
-    wire assumed_choice_2 = instructions_descends ? assumed_at_least_2 : assumed_at_most_2; // rtl/src/pixelflow/controller.rs:252
-    wire assumed_and_5 = (instructions_function <= FUNCTION_ADD_HALVED) & (instructions_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:262
-    wire assumed_and_4 = assumed_and_5 & (instructions_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:262
-    wire assumed_and_3 = assumed_and_4 & (instructions_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:262
-    wire assumed_and_2 = assumed_and_3 & (instructions_flagging <= FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:262
-    wire idle_and = !instructions_valid & (evaluator_left == 5'd0); // rtl/src/pixelflow/controller.rs:194
-    assign idle = idle_and & (memory_left == 5'd0);              // rtl/src/pixelflow/controller.rs:194
+    wire asserted_and_4 = (sent5_control_function <= FUNCTION_ADD_HALVED) & (sent5_control_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:264
+    wire asserted_and_3 = asserted_and_4 & (sent5_control_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:264
+    wire asserted_and_2 = asserted_and_3 & (sent5_control_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:264
+    wire assumed_and = (instructions_length != 4'd0) & (instructions_length <= 4'd8); // rtl/src/pixelflow/controller.rs:249
+    wire assumed_at_least = ({1'd0, instructions_read} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:254
+    wire assumed_at_most = ({1'd0, instructions_read} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:254
+    wire assumed_choice = instructions_descends ? assumed_at_least : assumed_at_most; // rtl/src/pixelflow/controller.rs:254
+    wire assumed_at_least_2 = ({1'd0, instructions_write} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:254
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:254
+    wire assumed_choice_2 = instructions_descends ? assumed_at_least_2 : assumed_at_most_2; // rtl/src/pixelflow/controller.rs:254
+    wire assumed_and_5 = (instructions_function <= FUNCTION_ADD_HALVED) & (instructions_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:264
+    wire assumed_and_4 = assumed_and_5 & (instructions_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:264
+    wire assumed_and_3 = assumed_and_4 & (instructions_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:264
+    wire assumed_and_2 = assumed_and_3 & (instructions_flagging <= FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:264
+    wire idle_and = !instructions_valid & (evaluator_left == 5'd0); // rtl/src/pixelflow/controller.rs:196
+    assign idle = idle_and & (memory_left == 5'd0);              // rtl/src/pixelflow/controller.rs:196
 
     always @(posedge clk) begin
         if (evaluator_begins) begin
@@ -731,46 +731,46 @@ module array_controller_width8_height4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal)); // rtl/src/pixelflow/controller.rs:239
-        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixelflow/controller.rs:239
-        if (!rst) assert (!(asserted_and & evaluator_is_word & memory_is_word)); // rtl/src/pixelflow/controller.rs:171
-        if (!rst) assert (asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION)); // rtl/src/pixelflow/controller.rs:182
-        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixelflow/controller.rs:246
-        if (!rst) assume (!instructions_taken | (expression | (instructions_skip == 3'd0))); // rtl/src/pixelflow/controller.rs:246
-        if (!rst) assume (!instructions_taken | (assumed_choice & assumed_choice_2)); // rtl/src/pixelflow/controller.rs:246
-        if (!rst) assume (!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE))); // rtl/src/pixelflow/controller.rs:246
+        if (!rst) assume (!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal)); // rtl/src/pixelflow/controller.rs:241
+        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixelflow/controller.rs:241
+        if (!rst) assert (!(asserted_and & evaluator_is_word & memory_is_word)); // rtl/src/pixelflow/controller.rs:173
+        if (!rst) assert (asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION)); // rtl/src/pixelflow/controller.rs:184
+        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixelflow/controller.rs:248
+        if (!rst) assume (!instructions_taken | (expression | (instructions_skip == 3'd0))); // rtl/src/pixelflow/controller.rs:248
+        if (!rst) assume (!instructions_taken | (assumed_choice & assumed_choice_2)); // rtl/src/pixelflow/controller.rs:248
+        if (!rst) assume (!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE))); // rtl/src/pixelflow/controller.rs:248
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal))) begin // rtl/src/pixelflow/controller.rs:239
+        if (!rst && !(!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal))) begin // rtl/src/pixelflow/controller.rs:241
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a bank is given only when the network is done with it", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixelflow/controller.rs:239
+        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixelflow/controller.rs:241
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins only when it is done", $time);
             stop;
         end
-        if (!rst && (asserted_and & evaluator_is_word & memory_is_word)) begin // rtl/src/pixelflow/controller.rs:171
+        if (!rst && (asserted_and & evaluator_is_word & memory_is_word)) begin // rtl/src/pixelflow/controller.rs:173
             $display("FAIL: time %0t: %m: at most one of two instructions uses the memory", $time);
             stop;
         end
-        if (!rst && !(asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION))) begin // rtl/src/pixelflow/controller.rs:182
+        if (!rst && !(asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION))) begin // rtl/src/pixelflow/controller.rs:184
             $display("FAIL: time %0t: %m: the controls of pixels are valid codes", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixelflow/controller.rs:246
+        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixelflow/controller.rs:248
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 8 bytes", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (expression | (instructions_skip == 3'd0)))) begin // rtl/src/pixelflow/controller.rs:246
+        if (!rst && !(!instructions_taken | (expression | (instructions_skip == 3'd0)))) begin // rtl/src/pixelflow/controller.rs:248
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only bytes of an expression are skipped", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_choice & assumed_choice_2))) begin // rtl/src/pixelflow/controller.rs:246
+        if (!rst && !(!instructions_taken | (assumed_choice & assumed_choice_2))) begin // rtl/src/pixelflow/controller.rs:248
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the 384 bytes of a pixel", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE)))) begin // rtl/src/pixelflow/controller.rs:246
+        if (!rst && !(!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE)))) begin // rtl/src/pixelflow/controller.rs:248
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: each field has a valid code", $time);
             stop;
         end

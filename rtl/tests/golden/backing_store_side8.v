@@ -28,24 +28,24 @@ module backing_store_side8 (
     output wire [7:0]  planes_bits    // The plane's bit of each pixel of the line, from the left.
 );
 
-    reg [15:0] region;                                           // rtl/src/pixel_planes/backing_store.rs:64
-    reg reading;                                                 // rtl/src/pixel_planes/backing_store.rs:71
-    reg [5:0] plane;                                             // rtl/src/pixel_planes/backing_store.rs:72
-    reg [2:0] line;                                              // rtl/src/pixel_planes/backing_store.rs:73
-    reg arrived;                                                 // rtl/src/pixel_planes/backing_store.rs:74
-    reg [5:0] read_plane;                                        // rtl/src/pixel_planes/backing_store.rs:78
-    reg [2:0] read_line;                                         // rtl/src/pixel_planes/backing_store.rs:78
+    reg [15:0] region;                                           // rtl/src/pixel_planes/backing_store.rs:65
+    reg reading;                                                 // rtl/src/pixel_planes/backing_store.rs:72
+    reg [5:0] plane;                                             // rtl/src/pixel_planes/backing_store.rs:73
+    reg [2:0] line;                                              // rtl/src/pixel_planes/backing_store.rs:74
+    reg arrived;                                                 // rtl/src/pixel_planes/backing_store.rs:75
+    reg [5:0] read_plane;                                        // rtl/src/pixel_planes/backing_store.rs:79
+    reg [2:0] read_line;                                         // rtl/src/pixel_planes/backing_store.rs:79
 
-    reg [63:0] bits [0:47];                                      // rtl/src/pixel_planes/backing_store.rs:66
+    reg [63:0] bits [0:47];                                      // rtl/src/pixel_planes/backing_store.rs:67
     reg [63:0] bits_read_word;
     reg bits_read_inside;
     wire [63:0] bits_read = bits_read_inside ? bits_read_word : 64'd0;
 
-    wire complete = save_plane & (number == 6'd47);              // rtl/src/pixel_planes/backing_store.rs:68
-    wire planes_taken = arrived & planes_ready;                  // rtl/src/pixel_planes/backing_store.rs:81
-    wire reads = reading & (!arrived | planes_taken);            // rtl/src/pixel_planes/backing_store.rs:75
-    wire line_ends = reads & (plane == 6'd47);                   // rtl/src/pixel_planes/backing_store.rs:83
-    wire ends = line_ends & (line == 3'd7);                      // rtl/src/pixel_planes/backing_store.rs:84
+    wire complete = save_plane & (number == 6'd47);              // rtl/src/pixel_planes/backing_store.rs:69
+    wire planes_taken = arrived & planes_ready;                  // rtl/src/pixel_planes/backing_store.rs:82
+    wire reads = reading & (!arrived | planes_taken);            // rtl/src/pixel_planes/backing_store.rs:76
+    wire line_ends = reads & (plane == 6'd47);                   // rtl/src/pixel_planes/backing_store.rs:84
+    wire ends = line_ends & (line == 3'd7);                      // rtl/src/pixel_planes/backing_store.rs:85
 
     genvar i;
     genvar j;
@@ -128,16 +128,16 @@ module backing_store_side8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!save_claim | free);                       // rtl/src/pixel_planes/backing_store.rs:91
-        if (!rst) assume (!save_plane | (!free & !reading & !arrived)); // rtl/src/pixel_planes/backing_store.rs:92
+        if (!rst) assume (!save_claim | free);                       // rtl/src/pixel_planes/backing_store.rs:92
+        if (!rst) assume (!save_plane | (!free & !reading & !arrived)); // rtl/src/pixel_planes/backing_store.rs:93
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!save_claim | free)) begin                     // rtl/src/pixel_planes/backing_store.rs:91
+        if (!rst && !(!save_claim | free)) begin                     // rtl/src/pixel_planes/backing_store.rs:92
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a region is claimed only when the previous one has left", $time);
             stop;
         end
-        if (!rst && !(!save_plane | (!free & !reading & !arrived))) begin // rtl/src/pixel_planes/backing_store.rs:92
+        if (!rst && !(!save_plane | (!free & !reading & !arrived))) begin // rtl/src/pixel_planes/backing_store.rs:93
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a plane arrives only for a region that was claimed", $time);
             stop;
         end

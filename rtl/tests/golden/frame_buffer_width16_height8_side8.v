@@ -5,7 +5,7 @@
 // Parameters  FrameBuffer { screen: Screen { width: 16, height: 8 }, side: 8 }
 // Latency     1 clock from a line's last plane to the memory, 1 clock to read
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/frame_buffer.rs:20
+// Described   rtl/src/pixel_planes/frame_buffer.rs:21
 `default_nettype none
 
 module frame_buffer_width16_height8_side8 (
@@ -26,11 +26,11 @@ module frame_buffer_width16_height8_side8 (
 );
 
     (* no_rw_check *)
-    reg [383:0] lines [0:15];                                    // rtl/src/pixel_planes/frame_buffer.rs:88
-    reg [383:0] lines_read;                                      // rtl/src/pixel_planes/frame_buffer.rs:97
+    reg [383:0] lines [0:15];                                    // rtl/src/pixel_planes/frame_buffer.rs:79
+    reg [383:0] lines_read;                                      // rtl/src/pixel_planes/frame_buffer.rs:88
 
-    wire [383:0] lines_write_data;                               // rtl/src/pixel_planes/frame_buffer.rs:85
-    assign planes_ready = 1'b1;                                  // rtl/src/pixel_planes/frame_buffer.rs:83
+    wire [383:0] lines_write_data;                               // rtl/src/pixel_planes/frame_buffer.rs:76
+    assign planes_ready = 1'b1;                                  // rtl/src/pixel_planes/frame_buffer.rs:74
 
     genvar i;
 
@@ -73,7 +73,7 @@ module frame_buffer_width16_height8_side8 (
 `endif
 
 `ifndef SYNTHESIS
-    reg [5:0] next;                                              // rtl/src/pixel_planes/frame_buffer.rs:93
+    reg [5:0] next;                                              // rtl/src/pixel_planes/frame_buffer.rs:84
 
     always @(posedge clk) begin
         if (rst) begin
@@ -86,16 +86,16 @@ module frame_buffer_width16_height8_side8 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!planes_valid | (planes_plane == next));   // rtl/src/pixel_planes/frame_buffer.rs:95
-        if (!rst) assume (!planes_valid | (planes_region < 16'd2));  // rtl/src/pixel_planes/frame_buffer.rs:96
+        if (!rst) assume (!planes_valid | (planes_plane == next));   // rtl/src/pixel_planes/frame_buffer.rs:86
+        if (!rst) assume (!planes_valid | (planes_region < 16'd2));  // rtl/src/pixel_planes/frame_buffer.rs:87
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!planes_valid | (planes_plane == next))) begin // rtl/src/pixel_planes/frame_buffer.rs:95
+        if (!rst && !(!planes_valid | (planes_plane == next))) begin // rtl/src/pixel_planes/frame_buffer.rs:86
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the planes of a line arrive in sequence", $time);
             stop;
         end
-        if (!rst && !(!planes_valid | (planes_region < 16'd2))) begin // rtl/src/pixel_planes/frame_buffer.rs:96
+        if (!rst && !(!planes_valid | (planes_region < 16'd2))) begin // rtl/src/pixel_planes/frame_buffer.rs:87
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the region belongs to the screen", $time);
             stop;
         end

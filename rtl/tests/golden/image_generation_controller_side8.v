@@ -103,100 +103,100 @@ module image_generation_controller_side8 (
     reg [39:0] memory_bits;                                      // rtl/src/pixel_planes/controller/slot.rs:57
     reg [7:0] memory_read;                                       // rtl/src/pixel_planes/controller/slot.rs:59
     reg [7:0] memory_write;                                      // rtl/src/pixel_planes/controller/slot.rs:60
-    reg waits;                                                   // rtl/src/pixel_planes/controller.rs:117
-    reg waiting_microcode_on_tree;                               // rtl/src/pixel_planes/controller.rs:118
-    reg waiting_microcode_on_memory;                             // rtl/src/pixel_planes/controller.rs:118
-    reg [1:0] waiting_microcode_source;                          // rtl/src/pixel_planes/controller.rs:118
-    reg waiting_microcode_adds;                                  // rtl/src/pixel_planes/controller.rs:118
-    reg waiting_microcode_begins;                                // rtl/src/pixel_planes/controller.rs:118
-    reg [1:0] waiting_microcode_mask;                            // rtl/src/pixel_planes/controller.rs:118
-    reg waiting_microcode_compares;                              // rtl/src/pixel_planes/controller.rs:118
-    reg waiting_microcode_gates;                                 // rtl/src/pixel_planes/controller.rs:118
-    reg [2:0] waiting_microcode_enabling;                        // rtl/src/pixel_planes/controller.rs:118
-    reg waiting_microcode_captures;                              // rtl/src/pixel_planes/controller.rs:118
-    reg waiting_microcode_saves;                                 // rtl/src/pixel_planes/controller.rs:118
-    reg [5:0] waiting_skip;                                      // rtl/src/pixel_planes/controller.rs:118
-    reg [6:0] waiting_length;                                    // rtl/src/pixel_planes/controller.rs:118
-    reg [7:0] waiting_read;                                      // rtl/src/pixel_planes/controller.rs:118
-    reg [7:0] waiting_write;                                     // rtl/src/pixel_planes/controller.rs:118
-    reg [39:0] waiting_constant;                                 // rtl/src/pixel_planes/controller.rs:118
+    reg waits;                                                   // rtl/src/pixel_planes/controller.rs:118
+    reg waiting_microcode_on_tree;                               // rtl/src/pixel_planes/controller.rs:119
+    reg waiting_microcode_on_memory;                             // rtl/src/pixel_planes/controller.rs:119
+    reg [1:0] waiting_microcode_source;                          // rtl/src/pixel_planes/controller.rs:119
+    reg waiting_microcode_adds;                                  // rtl/src/pixel_planes/controller.rs:119
+    reg waiting_microcode_begins;                                // rtl/src/pixel_planes/controller.rs:119
+    reg [1:0] waiting_microcode_mask;                            // rtl/src/pixel_planes/controller.rs:119
+    reg waiting_microcode_compares;                              // rtl/src/pixel_planes/controller.rs:119
+    reg waiting_microcode_gates;                                 // rtl/src/pixel_planes/controller.rs:119
+    reg [2:0] waiting_microcode_enabling;                        // rtl/src/pixel_planes/controller.rs:119
+    reg waiting_microcode_captures;                              // rtl/src/pixel_planes/controller.rs:119
+    reg waiting_microcode_saves;                                 // rtl/src/pixel_planes/controller.rs:119
+    reg [5:0] waiting_skip;                                      // rtl/src/pixel_planes/controller.rs:119
+    reg [6:0] waiting_length;                                    // rtl/src/pixel_planes/controller.rs:119
+    reg [7:0] waiting_read;                                      // rtl/src/pixel_planes/controller.rs:119
+    reg [7:0] waiting_write;                                     // rtl/src/pixel_planes/controller.rs:119
+    reg [39:0] waiting_constant;                                 // rtl/src/pixel_planes/controller.rs:119
     reg [39:0] a;                                                // rtl/src/pixel_planes/controller/slot.rs:107
     reg [39:0] b;                                                // rtl/src/pixel_planes/controller/slot.rs:107
-    reg [1:0] sent1_control_source;                              // rtl/src/pixel_planes/controller.rs:197
-    reg sent1_control_constant;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent1_control_adds;                                      // rtl/src/pixel_planes/controller.rs:197
-    reg sent1_control_first;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent1_control_mask;                                // rtl/src/pixel_planes/controller.rs:197
-    reg sent1_control_compares;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent1_control_gates;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [2:0] sent1_control_enabling;                            // rtl/src/pixel_planes/controller.rs:197
-    reg sent1_control_captures;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent1_control_read;                                // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent1_control_write;                               // rtl/src/pixel_planes/controller.rs:197
-    reg sent1_plane;                                             // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent2_control_source;                              // rtl/src/pixel_planes/controller.rs:197
-    reg sent2_control_constant;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent2_control_adds;                                      // rtl/src/pixel_planes/controller.rs:197
-    reg sent2_control_first;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent2_control_mask;                                // rtl/src/pixel_planes/controller.rs:197
-    reg sent2_control_compares;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent2_control_gates;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [2:0] sent2_control_enabling;                            // rtl/src/pixel_planes/controller.rs:197
-    reg sent2_control_captures;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent2_control_read;                                // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent2_control_write;                               // rtl/src/pixel_planes/controller.rs:197
-    reg sent2_plane;                                             // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent3_control_source;                              // rtl/src/pixel_planes/controller.rs:197
-    reg sent3_control_constant;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent3_control_adds;                                      // rtl/src/pixel_planes/controller.rs:197
-    reg sent3_control_first;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent3_control_mask;                                // rtl/src/pixel_planes/controller.rs:197
-    reg sent3_control_compares;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent3_control_gates;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [2:0] sent3_control_enabling;                            // rtl/src/pixel_planes/controller.rs:197
-    reg sent3_control_captures;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent3_control_read;                                // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent3_control_write;                               // rtl/src/pixel_planes/controller.rs:197
-    reg sent3_plane;                                             // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent4_control_source;                              // rtl/src/pixel_planes/controller.rs:197
-    reg sent4_control_constant;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent4_control_adds;                                      // rtl/src/pixel_planes/controller.rs:197
-    reg sent4_control_first;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent4_control_mask;                                // rtl/src/pixel_planes/controller.rs:197
-    reg sent4_control_compares;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent4_control_gates;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [2:0] sent4_control_enabling;                            // rtl/src/pixel_planes/controller.rs:197
-    reg sent4_control_captures;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent4_control_read;                                // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent4_control_write;                               // rtl/src/pixel_planes/controller.rs:197
-    reg sent4_plane;                                             // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent5_control_source;                              // rtl/src/pixel_planes/controller.rs:197
-    reg sent5_control_constant;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent5_control_adds;                                      // rtl/src/pixel_planes/controller.rs:197
-    reg sent5_control_first;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent5_control_mask;                                // rtl/src/pixel_planes/controller.rs:197
-    reg sent5_control_compares;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent5_control_gates;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [2:0] sent5_control_enabling;                            // rtl/src/pixel_planes/controller.rs:197
-    reg sent5_control_captures;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent5_control_read;                                // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent5_control_write;                               // rtl/src/pixel_planes/controller.rs:197
-    reg sent5_plane;                                             // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent6_control_source;                              // rtl/src/pixel_planes/controller.rs:197
-    reg sent6_control_constant;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent6_control_adds;                                      // rtl/src/pixel_planes/controller.rs:197
-    reg sent6_control_first;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [1:0] sent6_control_mask;                                // rtl/src/pixel_planes/controller.rs:197
-    reg sent6_control_compares;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg sent6_control_gates;                                     // rtl/src/pixel_planes/controller.rs:197
-    reg [2:0] sent6_control_enabling;                            // rtl/src/pixel_planes/controller.rs:197
-    reg sent6_control_captures;                                  // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent6_control_read;                                // rtl/src/pixel_planes/controller.rs:197
-    reg [7:0] sent6_control_write;                               // rtl/src/pixel_planes/controller.rs:197
-    reg sent6_plane;                                             // rtl/src/pixel_planes/controller.rs:197
+    reg [1:0] sent1_control_source;                              // rtl/src/pixel_planes/controller.rs:198
+    reg sent1_control_constant;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent1_control_adds;                                      // rtl/src/pixel_planes/controller.rs:198
+    reg sent1_control_first;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent1_control_mask;                                // rtl/src/pixel_planes/controller.rs:198
+    reg sent1_control_compares;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent1_control_gates;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [2:0] sent1_control_enabling;                            // rtl/src/pixel_planes/controller.rs:198
+    reg sent1_control_captures;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent1_control_read;                                // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent1_control_write;                               // rtl/src/pixel_planes/controller.rs:198
+    reg sent1_plane;                                             // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent2_control_source;                              // rtl/src/pixel_planes/controller.rs:198
+    reg sent2_control_constant;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent2_control_adds;                                      // rtl/src/pixel_planes/controller.rs:198
+    reg sent2_control_first;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent2_control_mask;                                // rtl/src/pixel_planes/controller.rs:198
+    reg sent2_control_compares;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent2_control_gates;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [2:0] sent2_control_enabling;                            // rtl/src/pixel_planes/controller.rs:198
+    reg sent2_control_captures;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent2_control_read;                                // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent2_control_write;                               // rtl/src/pixel_planes/controller.rs:198
+    reg sent2_plane;                                             // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent3_control_source;                              // rtl/src/pixel_planes/controller.rs:198
+    reg sent3_control_constant;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent3_control_adds;                                      // rtl/src/pixel_planes/controller.rs:198
+    reg sent3_control_first;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent3_control_mask;                                // rtl/src/pixel_planes/controller.rs:198
+    reg sent3_control_compares;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent3_control_gates;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [2:0] sent3_control_enabling;                            // rtl/src/pixel_planes/controller.rs:198
+    reg sent3_control_captures;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent3_control_read;                                // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent3_control_write;                               // rtl/src/pixel_planes/controller.rs:198
+    reg sent3_plane;                                             // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent4_control_source;                              // rtl/src/pixel_planes/controller.rs:198
+    reg sent4_control_constant;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent4_control_adds;                                      // rtl/src/pixel_planes/controller.rs:198
+    reg sent4_control_first;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent4_control_mask;                                // rtl/src/pixel_planes/controller.rs:198
+    reg sent4_control_compares;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent4_control_gates;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [2:0] sent4_control_enabling;                            // rtl/src/pixel_planes/controller.rs:198
+    reg sent4_control_captures;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent4_control_read;                                // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent4_control_write;                               // rtl/src/pixel_planes/controller.rs:198
+    reg sent4_plane;                                             // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent5_control_source;                              // rtl/src/pixel_planes/controller.rs:198
+    reg sent5_control_constant;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent5_control_adds;                                      // rtl/src/pixel_planes/controller.rs:198
+    reg sent5_control_first;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent5_control_mask;                                // rtl/src/pixel_planes/controller.rs:198
+    reg sent5_control_compares;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent5_control_gates;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [2:0] sent5_control_enabling;                            // rtl/src/pixel_planes/controller.rs:198
+    reg sent5_control_captures;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent5_control_read;                                // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent5_control_write;                               // rtl/src/pixel_planes/controller.rs:198
+    reg sent5_plane;                                             // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent6_control_source;                              // rtl/src/pixel_planes/controller.rs:198
+    reg sent6_control_constant;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent6_control_adds;                                      // rtl/src/pixel_planes/controller.rs:198
+    reg sent6_control_first;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [1:0] sent6_control_mask;                                // rtl/src/pixel_planes/controller.rs:198
+    reg sent6_control_compares;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg sent6_control_gates;                                     // rtl/src/pixel_planes/controller.rs:198
+    reg [2:0] sent6_control_enabling;                            // rtl/src/pixel_planes/controller.rs:198
+    reg sent6_control_captures;                                  // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent6_control_read;                                // rtl/src/pixel_planes/controller.rs:198
+    reg [7:0] sent6_control_write;                               // rtl/src/pixel_planes/controller.rs:198
+    reg sent6_plane;                                             // rtl/src/pixel_planes/controller.rs:198
 
     (* no_rw_check *)
-    reg [14:0] microcode [0:18];                                 // rtl/src/pixel_planes/controller.rs:114
+    reg [14:0] microcode [0:18];                                 // rtl/src/pixel_planes/controller.rs:115
 
     initial begin : microcode_contents
         microcode[0] = 15'h5004;
@@ -220,53 +220,53 @@ module image_generation_controller_side8 (
         microcode[18] = 15'h5000;
     end
 
-    wire [14:0] decoded = (instructions_operation < 5'd19) ? microcode[instructions_operation] : 15'd0; // rtl/src/pixel_planes/controller.rs:115
-    wire decoded_on_tree = decoded[14];                          // rtl/src/pixel_planes/controller.rs:115
+    wire [14:0] decoded = (instructions_operation < 5'd19) ? microcode[instructions_operation] : 15'd0; // rtl/src/pixel_planes/controller.rs:116
+    wire decoded_on_tree = decoded[14];                          // rtl/src/pixel_planes/controller.rs:116
     wire tree_ends = tree_left <= 8'd1;                          // rtl/src/pixel_planes/controller/slot.rs:58
-    wire decoded_on_memory = decoded[13];                        // rtl/src/pixel_planes/controller.rs:115
-    wire [7:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 8'd0); // rtl/src/pixel_planes/controller.rs:121
-    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 8'd1); // rtl/src/pixel_planes/controller.rs:122
-    wire tree_may = tree_ends & (!decoded_on_memory | ends_in_time); // rtl/src/pixel_planes/controller.rs:123
+    wire decoded_on_memory = decoded[13];                        // rtl/src/pixel_planes/controller.rs:116
+    wire [7:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 8'd0); // rtl/src/pixel_planes/controller.rs:122
+    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 8'd1); // rtl/src/pixel_planes/controller.rs:123
+    wire tree_may = tree_ends & (!decoded_on_memory | ends_in_time); // rtl/src/pixel_planes/controller.rs:124
     wire memory_ends = memory_left <= 8'd1;                      // rtl/src/pixel_planes/controller/slot.rs:58
-    wire memory_may_or = tree_ends | !((tree_left != 8'd0) & tree_microcode_on_memory); // rtl/src/pixel_planes/controller.rs:124
-    wire memory_may_and = (!waits | memory_ends) & memory_may_or; // rtl/src/pixel_planes/controller.rs:124
-    wire decoded_saves = decoded[0];                             // rtl/src/pixel_planes/controller.rs:115
-    wire memory_may = memory_may_and & (!decoded_saves | store_free); // rtl/src/pixel_planes/controller.rs:124
-    wire both_end = tree_ends & memory_ends & !waits;            // rtl/src/pixel_planes/controller.rs:125
-    wire may = (decoded_on_tree ? tree_may : memory_may) & (side_by_side | both_end); // rtl/src/pixel_planes/controller.rs:126
-    assign instructions_ready = may;                             // rtl/src/pixel_planes/controller.rs:127
-    wire [1:0] decoded_source = decoded[12:11];                  // rtl/src/pixel_planes/controller.rs:115
-    wire decoded_adds = decoded[10];                             // rtl/src/pixel_planes/controller.rs:115
-    wire decoded_begins = decoded[9];                            // rtl/src/pixel_planes/controller.rs:115
-    wire [1:0] decoded_mask = decoded[8:7];                      // rtl/src/pixel_planes/controller.rs:115
-    wire decoded_compares = decoded[6];                          // rtl/src/pixel_planes/controller.rs:115
-    wire decoded_gates = decoded[5];                             // rtl/src/pixel_planes/controller.rs:115
-    wire [2:0] decoded_enabling = decoded[4:2];                  // rtl/src/pixel_planes/controller.rs:115
-    wire decoded_captures = decoded[1];                          // rtl/src/pixel_planes/controller.rs:115
+    wire memory_may_or = tree_ends | !((tree_left != 8'd0) & tree_microcode_on_memory); // rtl/src/pixel_planes/controller.rs:125
+    wire memory_may_and = (!waits | memory_ends) & memory_may_or; // rtl/src/pixel_planes/controller.rs:125
+    wire decoded_saves = decoded[0];                             // rtl/src/pixel_planes/controller.rs:116
+    wire memory_may = memory_may_and & (!decoded_saves | store_free); // rtl/src/pixel_planes/controller.rs:125
+    wire both_end = tree_ends & memory_ends & !waits;            // rtl/src/pixel_planes/controller.rs:126
+    wire may = (decoded_on_tree ? tree_may : memory_may) & (side_by_side | both_end); // rtl/src/pixel_planes/controller.rs:127
+    assign instructions_ready = may;                             // rtl/src/pixel_planes/controller.rs:128
+    wire [1:0] decoded_source = decoded[12:11];                  // rtl/src/pixel_planes/controller.rs:116
+    wire decoded_adds = decoded[10];                             // rtl/src/pixel_planes/controller.rs:116
+    wire decoded_begins = decoded[9];                            // rtl/src/pixel_planes/controller.rs:116
+    wire [1:0] decoded_mask = decoded[8:7];                      // rtl/src/pixel_planes/controller.rs:116
+    wire decoded_compares = decoded[6];                          // rtl/src/pixel_planes/controller.rs:116
+    wire decoded_gates = decoded[5];                             // rtl/src/pixel_planes/controller.rs:116
+    wire [2:0] decoded_enabling = decoded[4:2];                  // rtl/src/pixel_planes/controller.rs:116
+    wire decoded_captures = decoded[1];                          // rtl/src/pixel_planes/controller.rs:116
     wire tree_is_word = (tree_left != 8'd0) & (tree_left <= {1'd0, tree_length}); // rtl/src/pixel_planes/controller/slot.rs:56
     assign coefficients_c = tree_bits[0];                        // rtl/src/pixel_planes/controller/slot.rs:61
     wire memory_is_word = (memory_left != 8'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixel_planes/controller/slot.rs:56
-    wire instructions_taken = instructions_valid & may;          // rtl/src/pixel_planes/controller.rs:127
-    wire tree_begins = instructions_taken & decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:131
-    wire for_memory = instructions_taken & !decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:132
-    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixel_planes/controller.rs:133
-    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixel_planes/controller.rs:136
-    wire [6:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixel_planes/controller.rs:138
+    wire instructions_taken = instructions_valid & may;          // rtl/src/pixel_planes/controller.rs:128
+    wire tree_begins = instructions_taken & decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:132
+    wire for_memory = instructions_taken & !decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:133
+    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixel_planes/controller.rs:134
+    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixel_planes/controller.rs:137
+    wire [6:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixel_planes/controller.rs:139
     wire [7:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixel_planes/controller/slot.rs:30
     assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:109
     assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:109
-    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:149
+    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:150
     wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:88
-    wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:208
-    wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:209
-    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:212
-    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:212
-    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:216
-    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:219
-    assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:161
-    assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:161
-    wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:168
-    assign idle = idle_and & (memory_left == 8'd0);              // rtl/src/pixel_planes/controller.rs:168
+    wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:209
+    wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:210
+    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:213
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:213
+    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:217
+    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:220
+    assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:162
+    assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:162
+    wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:169
+    assign idle = idle_and & (memory_left == 8'd0);              // rtl/src/pixel_planes/controller.rs:169
 
     always @(posedge clk) begin
         if (tree_begins) tree_bits <= instructions_coefficients_c;
@@ -611,51 +611,51 @@ module image_generation_controller_side8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!instructions_taken | (instructions_operation != OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:176
-        if (!rst) assert (!(asserted_and & memory_is_word));         // rtl/src/pixel_planes/controller.rs:149
-        if (!rst) assert ((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:155
-        if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:206
-        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:206
-        if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:206
-        if (!rst) assume (!instructions_taken | (assumed_at_most & assumed_at_most_2)); // rtl/src/pixel_planes/controller.rs:206
-        if (!rst) assume (!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least)); // rtl/src/pixel_planes/controller.rs:206
-        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:206
+        if (!rst) assume (!instructions_taken | (instructions_operation != OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:177
+        if (!rst) assert (!(asserted_and & memory_is_word));         // rtl/src/pixel_planes/controller.rs:150
+        if (!rst) assert ((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:156
+        if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:207
+        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:207
+        if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:207
+        if (!rst) assume (!instructions_taken | (assumed_at_most & assumed_at_most_2)); // rtl/src/pixel_planes/controller.rs:207
+        if (!rst) assume (!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least)); // rtl/src/pixel_planes/controller.rs:207
+        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:207
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!instructions_taken | (instructions_operation != OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:176
+        if (!rst && !(!instructions_taken | (instructions_operation != OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:177
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only the controller of a quadratic tree takes a curve", $time);
             stop;
         end
-        if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:149
+        if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:150
             $display("FAIL: time %0t: %m: at most one of the two slots uses the memory", $time);
             stop;
         end
-        if (!rst && !((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:155
+        if (!rst && !((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:156
             $display("FAIL: time %0t: %m: the source and the enabling of the pixels are valid codes", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:206
+        if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:207
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the code of an instruction is an operation", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:206
+        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:207
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 64 bits", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:206
+        if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:207
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a whole word is saved, as planes 0 to 47", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:206
+        if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:207
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 208 bits", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:206
+        if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:207
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: an expression has at least as many bits as each tree has levels", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:206
+        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:207
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only an expression has bits to skip", $time);
             stop;
         end

@@ -5,7 +5,7 @@
 // Parameters  LinearEvaluator { width: 8, height: 4 }
 // Latency     5 clocks from a byte of the coefficients to the expression's byte at each pixel
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/linear_evaluator.rs:33
+// Described   rtl/src/pixelflow/linear_evaluator.rs:34
 `default_nettype none
 
 module linear_evaluator_width8_height4 (
@@ -22,27 +22,27 @@ module linear_evaluator_width8_height4 (
     output wire [255:0] value
 );
 
-    reg first1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:79
-    reg first2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:79
-    reg first3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:79
-    reg first4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:79
-    reg sends1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:80
-    reg sends2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:80
-    reg sends3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:80
-    reg sends4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:80
-    reg [7:0] a1;                                                // rtl/src/pixelflow/linear_evaluator.rs:81
-    reg [7:0] a2;                                                // rtl/src/pixelflow/linear_evaluator.rs:81
-    reg [7:0] a3;                                                // rtl/src/pixelflow/linear_evaluator.rs:81
-    reg [7:0] a4;                                                // rtl/src/pixelflow/linear_evaluator.rs:81
-    reg [7:0] a5;                                                // rtl/src/pixelflow/linear_evaluator.rs:81
-    reg [7:0] b1;                                                // rtl/src/pixelflow/linear_evaluator.rs:82
-    reg [7:0] b2;                                                // rtl/src/pixelflow/linear_evaluator.rs:82
-    reg [7:0] b3;                                                // rtl/src/pixelflow/linear_evaluator.rs:82
-    reg [7:0] b4;                                                // rtl/src/pixelflow/linear_evaluator.rs:82
-    reg [7:0] b5;                                                // rtl/src/pixelflow/linear_evaluator.rs:82
-    reg [7:0] chip_root1;                                        // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [7:0] chip_root2;                                        // rtl/src/pixelflow/linear_evaluator.rs:90
-    reg [7:0] chip_root3;                                        // rtl/src/pixelflow/linear_evaluator.rs:90
+    reg first1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:81
+    reg first2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:81
+    reg first3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:81
+    reg first4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:81
+    reg sends1;                                                  // rtl/src/pixelflow/linear_evaluator.rs:82
+    reg sends2;                                                  // rtl/src/pixelflow/linear_evaluator.rs:82
+    reg sends3;                                                  // rtl/src/pixelflow/linear_evaluator.rs:82
+    reg sends4;                                                  // rtl/src/pixelflow/linear_evaluator.rs:82
+    reg [7:0] a1;                                                // rtl/src/pixelflow/linear_evaluator.rs:83
+    reg [7:0] a2;                                                // rtl/src/pixelflow/linear_evaluator.rs:83
+    reg [7:0] a3;                                                // rtl/src/pixelflow/linear_evaluator.rs:83
+    reg [7:0] a4;                                                // rtl/src/pixelflow/linear_evaluator.rs:83
+    reg [7:0] a5;                                                // rtl/src/pixelflow/linear_evaluator.rs:83
+    reg [7:0] b1;                                                // rtl/src/pixelflow/linear_evaluator.rs:84
+    reg [7:0] b2;                                                // rtl/src/pixelflow/linear_evaluator.rs:84
+    reg [7:0] b3;                                                // rtl/src/pixelflow/linear_evaluator.rs:84
+    reg [7:0] b4;                                                // rtl/src/pixelflow/linear_evaluator.rs:84
+    reg [7:0] b5;                                                // rtl/src/pixelflow/linear_evaluator.rs:84
+    reg [7:0] chip_root1;                                        // rtl/src/pixelflow/linear_evaluator.rs:92
+    reg [7:0] chip_root2;                                        // rtl/src/pixelflow/linear_evaluator.rs:92
+    reg [7:0] chip_root3;                                        // rtl/src/pixelflow/linear_evaluator.rs:92
 
     genvar i;
     genvar j;

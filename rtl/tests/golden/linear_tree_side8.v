@@ -5,7 +5,7 @@
 // Parameters  LinearTree { side: 8 }
 // Latency     6 clocks from a coefficient's bit to the expression's bit at each pixel
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/linear_tree.rs:25
+// Described   rtl/src/pixel_planes/linear_tree.rs:26
 `default_nettype none
 
 module linear_tree_side8 (
@@ -20,22 +20,22 @@ module linear_tree_side8 (
     output wire [63:0] value           // A bit of the expression at each pixel, a row for each line.
 );
 
-    reg first1;                                                  // rtl/src/pixel_planes/linear_tree.rs:66
-    reg first2;                                                  // rtl/src/pixel_planes/linear_tree.rs:66
-    reg first3;                                                  // rtl/src/pixel_planes/linear_tree.rs:66
-    reg first4;                                                  // rtl/src/pixel_planes/linear_tree.rs:66
-    reg first5;                                                  // rtl/src/pixel_planes/linear_tree.rs:66
-    reg a1;                                                      // rtl/src/pixel_planes/linear_tree.rs:68
-    reg a2;                                                      // rtl/src/pixel_planes/linear_tree.rs:68
-    reg b1;                                                      // rtl/src/pixel_planes/linear_tree.rs:69
-    reg b2;                                                      // rtl/src/pixel_planes/linear_tree.rs:69
-    reg b3;                                                      // rtl/src/pixel_planes/linear_tree.rs:69
-    reg b4;                                                      // rtl/src/pixel_planes/linear_tree.rs:69
-    reg b5;                                                      // rtl/src/pixel_planes/linear_tree.rs:69
-    reg x_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:97
-    reg x_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:97
-    reg y_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:97
-    reg y_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:97
+    reg first1;                                                  // rtl/src/pixel_planes/linear_tree.rs:68
+    reg first2;                                                  // rtl/src/pixel_planes/linear_tree.rs:68
+    reg first3;                                                  // rtl/src/pixel_planes/linear_tree.rs:68
+    reg first4;                                                  // rtl/src/pixel_planes/linear_tree.rs:68
+    reg first5;                                                  // rtl/src/pixel_planes/linear_tree.rs:68
+    reg a1;                                                      // rtl/src/pixel_planes/linear_tree.rs:70
+    reg a2;                                                      // rtl/src/pixel_planes/linear_tree.rs:70
+    reg b1;                                                      // rtl/src/pixel_planes/linear_tree.rs:71
+    reg b2;                                                      // rtl/src/pixel_planes/linear_tree.rs:71
+    reg b3;                                                      // rtl/src/pixel_planes/linear_tree.rs:71
+    reg b4;                                                      // rtl/src/pixel_planes/linear_tree.rs:71
+    reg b5;                                                      // rtl/src/pixel_planes/linear_tree.rs:71
+    reg x_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:99
+    reg x_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:99
+    reg y_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:99
+    reg y_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:99
 
     genvar i;
     genvar j;

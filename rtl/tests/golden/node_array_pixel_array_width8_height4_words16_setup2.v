@@ -95,79 +95,79 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     output wire        network_1_jobs_ready
 );
 
-    reg done_flag1;                                              // rtl/src/pixelflow/node.rs:230
-    (* ASYNC_REG = "TRUE" *) reg done_here1_meta;                // rtl/src/pixelflow/node.rs:231
-    (* ASYNC_REG = "TRUE" *) reg done_here1;                     // rtl/src/pixelflow/node.rs:231
-    reg done_before1;                                            // rtl/src/pixelflow/node.rs:232
-    reg done_flag0;                                              // rtl/src/pixelflow/node.rs:230
-    (* ASYNC_REG = "TRUE" *) reg done_here0_meta;                // rtl/src/pixelflow/node.rs:231
-    (* ASYNC_REG = "TRUE" *) reg done_here0;                     // rtl/src/pixelflow/node.rs:231
-    reg done_before0;                                            // rtl/src/pixelflow/node.rs:232
-    reg [1:0] held;                                              // rtl/src/pixelflow/node.rs:153
-    reg given_flag1;                                             // rtl/src/pixelflow/node.rs:230
-    (* ASYNC_REG = "TRUE" *) reg given_here1_meta;               // rtl/src/pixelflow/node.rs:231
-    (* ASYNC_REG = "TRUE" *) reg given_here1;                    // rtl/src/pixelflow/node.rs:231
-    reg given_before1;                                           // rtl/src/pixelflow/node.rs:232
-    reg given_flag0;                                             // rtl/src/pixelflow/node.rs:230
-    (* ASYNC_REG = "TRUE" *) reg given_here0_meta;               // rtl/src/pixelflow/node.rs:231
-    (* ASYNC_REG = "TRUE" *) reg given_here0;                    // rtl/src/pixelflow/node.rs:231
-    reg given_before0;                                           // rtl/src/pixelflow/node.rs:232
+    reg done_flag1;                                              // rtl/src/pixelflow/node.rs:198
+    (* ASYNC_REG = "TRUE" *) reg done_here1_meta;                // rtl/src/pixelflow/node.rs:199
+    (* ASYNC_REG = "TRUE" *) reg done_here1;                     // rtl/src/pixelflow/node.rs:199
+    reg done_before1;                                            // rtl/src/pixelflow/node.rs:200
+    reg done_flag0;                                              // rtl/src/pixelflow/node.rs:198
+    (* ASYNC_REG = "TRUE" *) reg done_here0_meta;                // rtl/src/pixelflow/node.rs:199
+    (* ASYNC_REG = "TRUE" *) reg done_here0;                     // rtl/src/pixelflow/node.rs:199
+    reg done_before0;                                            // rtl/src/pixelflow/node.rs:200
+    reg [1:0] held;                                              // rtl/src/pixelflow/node.rs:121
+    reg given_flag1;                                             // rtl/src/pixelflow/node.rs:198
+    (* ASYNC_REG = "TRUE" *) reg given_here1_meta;               // rtl/src/pixelflow/node.rs:199
+    (* ASYNC_REG = "TRUE" *) reg given_here1;                    // rtl/src/pixelflow/node.rs:199
+    reg given_before1;                                           // rtl/src/pixelflow/node.rs:200
+    reg given_flag0;                                             // rtl/src/pixelflow/node.rs:198
+    (* ASYNC_REG = "TRUE" *) reg given_here0_meta;               // rtl/src/pixelflow/node.rs:199
+    (* ASYNC_REG = "TRUE" *) reg given_here0;                    // rtl/src/pixelflow/node.rs:199
+    reg given_before0;                                           // rtl/src/pixelflow/node.rs:200
 
-    wire u_dma_instructions_valid;                               // rtl/src/pixelflow/node.rs:149
-    wire [1:0] u_dma_instructions_source;                        // rtl/src/pixelflow/node.rs:149
-    wire [3:0] u_dma_instructions_function;                      // rtl/src/pixelflow/node.rs:149
-    wire [1:0] u_dma_instructions_begin;                         // rtl/src/pixelflow/node.rs:149
-    wire [1:0] u_dma_instructions_mask;                          // rtl/src/pixelflow/node.rs:149
-    wire u_dma_instructions_accumulates;                         // rtl/src/pixelflow/node.rs:149
-    wire u_dma_instructions_stores;                              // rtl/src/pixelflow/node.rs:149
-    wire [1:0] u_dma_instructions_condition;                     // rtl/src/pixelflow/node.rs:149
-    wire [2:0] u_dma_instructions_enabling;                      // rtl/src/pixelflow/node.rs:149
-    wire [1:0] u_dma_instructions_flagging;                      // rtl/src/pixelflow/node.rs:149
-    wire [2:0] u_dma_instructions_skip;                          // rtl/src/pixelflow/node.rs:149
-    wire [3:0] u_dma_instructions_length;                        // rtl/src/pixelflow/node.rs:149
-    wire u_dma_instructions_descends;                            // rtl/src/pixelflow/node.rs:149
-    wire [8:0] u_dma_instructions_read;                          // rtl/src/pixelflow/node.rs:149
-    wire [8:0] u_dma_instructions_write;                         // rtl/src/pixelflow/node.rs:149
-    wire [2:0] u_dma_instructions_sync;                          // rtl/src/pixelflow/node.rs:149
-    wire [39:0] u_dma_instructions_a;                            // rtl/src/pixelflow/node.rs:149
-    wire [39:0] u_dma_instructions_b;                            // rtl/src/pixelflow/node.rs:149
-    wire [39:0] u_dma_instructions_c;                            // rtl/src/pixelflow/node.rs:149
-    wire u_dma_idle;                                             // rtl/src/pixelflow/node.rs:149
-    wire [1:0] u_sequencer0_mode;                                // rtl/src/pixelflow/node.rs:198
-    wire u_sequencer0_sends;                                     // rtl/src/pixelflow/node.rs:198
-    wire u_sequencer0_first;                                     // rtl/src/pixelflow/node.rs:198
-    wire [1:0] u_sequencer0_bank;                                // rtl/src/pixelflow/node.rs:198
-    wire [4:0] u_sequencer0_address;                             // rtl/src/pixelflow/node.rs:198
-    wire [1:0] u_sequencer0_done;                                // rtl/src/pixelflow/node.rs:198
-    wire [3:0] pixel0;                                           // rtl/src/pixelflow/node.rs:193
-    wire advances0;                                              // rtl/src/pixelflow/node.rs:194
-    wire u_port0_unloaded;                                       // rtl/src/pixelflow/node.rs:201
-    wire [1:0] u_sequencer1_mode;                                // rtl/src/pixelflow/node.rs:198
-    wire u_sequencer1_sends;                                     // rtl/src/pixelflow/node.rs:198
-    wire u_sequencer1_first;                                     // rtl/src/pixelflow/node.rs:198
-    wire [1:0] u_sequencer1_bank;                                // rtl/src/pixelflow/node.rs:198
-    wire [4:0] u_sequencer1_address;                             // rtl/src/pixelflow/node.rs:198
-    wire [1:0] u_sequencer1_done;                                // rtl/src/pixelflow/node.rs:198
-    wire [3:0] pixel1;                                           // rtl/src/pixelflow/node.rs:193
-    wire advances1;                                              // rtl/src/pixelflow/node.rs:194
-    wire u_port1_unloaded;                                       // rtl/src/pixelflow/node.rs:201
-    wire [1:0] given;                                            // rtl/src/pixelflow/node.rs:150
-    wire [15:0] u_array_network_seen_0;                          // rtl/src/pixelflow/node.rs:178
-    wire [15:0] u_array_network_seen_1;                          // rtl/src/pixelflow/node.rs:178
-    wire u_array_idle;                                           // rtl/src/pixelflow/node.rs:178
-    wire u_array_instructions_ready;                             // rtl/src/pixelflow/node.rs:178
+    wire u_dma_instructions_valid;                               // rtl/src/pixelflow/node.rs:117
+    wire [1:0] u_dma_instructions_source;                        // rtl/src/pixelflow/node.rs:117
+    wire [3:0] u_dma_instructions_function;                      // rtl/src/pixelflow/node.rs:117
+    wire [1:0] u_dma_instructions_begin;                         // rtl/src/pixelflow/node.rs:117
+    wire [1:0] u_dma_instructions_mask;                          // rtl/src/pixelflow/node.rs:117
+    wire u_dma_instructions_accumulates;                         // rtl/src/pixelflow/node.rs:117
+    wire u_dma_instructions_stores;                              // rtl/src/pixelflow/node.rs:117
+    wire [1:0] u_dma_instructions_condition;                     // rtl/src/pixelflow/node.rs:117
+    wire [2:0] u_dma_instructions_enabling;                      // rtl/src/pixelflow/node.rs:117
+    wire [1:0] u_dma_instructions_flagging;                      // rtl/src/pixelflow/node.rs:117
+    wire [2:0] u_dma_instructions_skip;                          // rtl/src/pixelflow/node.rs:117
+    wire [3:0] u_dma_instructions_length;                        // rtl/src/pixelflow/node.rs:117
+    wire u_dma_instructions_descends;                            // rtl/src/pixelflow/node.rs:117
+    wire [8:0] u_dma_instructions_read;                          // rtl/src/pixelflow/node.rs:117
+    wire [8:0] u_dma_instructions_write;                         // rtl/src/pixelflow/node.rs:117
+    wire [2:0] u_dma_instructions_sync;                          // rtl/src/pixelflow/node.rs:117
+    wire [39:0] u_dma_instructions_a;                            // rtl/src/pixelflow/node.rs:117
+    wire [39:0] u_dma_instructions_b;                            // rtl/src/pixelflow/node.rs:117
+    wire [39:0] u_dma_instructions_c;                            // rtl/src/pixelflow/node.rs:117
+    wire u_dma_idle;                                             // rtl/src/pixelflow/node.rs:117
+    wire [1:0] u_sequencer0_mode;                                // rtl/src/pixelflow/node.rs:166
+    wire u_sequencer0_sends;                                     // rtl/src/pixelflow/node.rs:166
+    wire u_sequencer0_first;                                     // rtl/src/pixelflow/node.rs:166
+    wire [1:0] u_sequencer0_bank;                                // rtl/src/pixelflow/node.rs:166
+    wire [4:0] u_sequencer0_address;                             // rtl/src/pixelflow/node.rs:166
+    wire [1:0] u_sequencer0_done;                                // rtl/src/pixelflow/node.rs:166
+    wire [3:0] pixel0;                                           // rtl/src/pixelflow/node.rs:161
+    wire advances0;                                              // rtl/src/pixelflow/node.rs:162
+    wire u_port0_unloaded;                                       // rtl/src/pixelflow/node.rs:169
+    wire [1:0] u_sequencer1_mode;                                // rtl/src/pixelflow/node.rs:166
+    wire u_sequencer1_sends;                                     // rtl/src/pixelflow/node.rs:166
+    wire u_sequencer1_first;                                     // rtl/src/pixelflow/node.rs:166
+    wire [1:0] u_sequencer1_bank;                                // rtl/src/pixelflow/node.rs:166
+    wire [4:0] u_sequencer1_address;                             // rtl/src/pixelflow/node.rs:166
+    wire [1:0] u_sequencer1_done;                                // rtl/src/pixelflow/node.rs:166
+    wire [3:0] pixel1;                                           // rtl/src/pixelflow/node.rs:161
+    wire advances1;                                              // rtl/src/pixelflow/node.rs:162
+    wire u_port1_unloaded;                                       // rtl/src/pixelflow/node.rs:169
+    wire [1:0] given;                                            // rtl/src/pixelflow/node.rs:118
+    wire [15:0] u_array_network_seen_0;                          // rtl/src/pixelflow/node.rs:146
+    wire [15:0] u_array_network_seen_1;                          // rtl/src/pixelflow/node.rs:146
+    wire u_array_idle;                                           // rtl/src/pixelflow/node.rs:146
+    wire u_array_instructions_ready;                             // rtl/src/pixelflow/node.rs:146
 
-    wire [15:0] u_port0_own;                                     // rtl/src/pixelflow/node.rs:199
-    wire [15:0] u_port1_own;                                     // rtl/src/pixelflow/node.rs:199
-    wire [15:0] u_array_network_0_bytes;                         // rtl/src/pixelflow/node.rs:168
-    wire [15:0] u_array_network_1_bytes;                         // rtl/src/pixelflow/node.rs:168
-    wire [1:0] done = u_sequencer0_done | u_sequencer1_done;     // rtl/src/pixelflow/node.rs:151
-    wire [1:0] held_joined = {given_here1 ^ given_before1, given_here0 ^ given_before0}; // rtl/src/pixelflow/node.rs:236
-    wire u_array_network_0_writes_and = u_port1_unloaded & u_sequencer1_bank[0]; // rtl/src/pixelflow/node.rs:221
-    wire u_array_network_0_writes_and_2 = u_port0_unloaded & u_sequencer0_bank[0]; // rtl/src/pixelflow/node.rs:221
-    wire u_array_network_1_writes_and = u_port1_unloaded & u_sequencer1_bank[1]; // rtl/src/pixelflow/node.rs:221
-    wire u_array_network_1_writes_and_2 = u_port0_unloaded & u_sequencer0_bank[1]; // rtl/src/pixelflow/node.rs:221
-    assign idle = u_array_idle & u_dma_idle;                     // rtl/src/pixelflow/node.rs:184
+    wire [15:0] u_port0_own;                                     // rtl/src/pixelflow/node.rs:167
+    wire [15:0] u_port1_own;                                     // rtl/src/pixelflow/node.rs:167
+    wire [15:0] u_array_network_0_bytes;                         // rtl/src/pixelflow/node.rs:136
+    wire [15:0] u_array_network_1_bytes;                         // rtl/src/pixelflow/node.rs:136
+    wire [1:0] done = u_sequencer0_done | u_sequencer1_done;     // rtl/src/pixelflow/node.rs:119
+    wire [1:0] held_joined = {given_here1 ^ given_before1, given_here0 ^ given_before0}; // rtl/src/pixelflow/node.rs:204
+    wire u_array_network_0_writes_and = u_port1_unloaded & u_sequencer1_bank[0]; // rtl/src/pixelflow/node.rs:189
+    wire u_array_network_0_writes_and_2 = u_port0_unloaded & u_sequencer0_bank[0]; // rtl/src/pixelflow/node.rs:189
+    wire u_array_network_1_writes_and = u_port1_unloaded & u_sequencer1_bank[1]; // rtl/src/pixelflow/node.rs:189
+    wire u_array_network_1_writes_and_2 = u_port0_unloaded & u_sequencer0_bank[1]; // rtl/src/pixelflow/node.rs:189
+    assign idle = u_array_idle & u_dma_idle;                     // rtl/src/pixelflow/node.rs:152
 
     genvar i;
 
@@ -192,7 +192,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
         end
     endgenerate
 
-    command_dma_words16 u_dma (                                  // rtl/src/pixelflow/node.rs:149
+    command_dma_words16 u_dma (                                  // rtl/src/pixelflow/node.rs:117
         .clk                           (array_clk),
         .rst                           (array_rst),
         .store_writes                  (store_writes),
@@ -242,7 +242,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
         .frames_ready                  (frames_ready)
     );
 
-    network_sequencer_pixels16_setup2 u_sequencer0 (             // rtl/src/pixelflow/node.rs:198
+    network_sequencer_pixels16_setup2 u_sequencer0 (             // rtl/src/pixelflow/node.rs:166
         .clk        (network_clk),
         .rst        (network_rst),
         .jobs_valid (network_0_jobs_valid),
@@ -264,7 +264,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
         .jobs_ready (network_0_jobs_ready)
     );
 
-    network_port_chips2_pixels16_width8 u_port0 (                // rtl/src/pixelflow/node.rs:201
+    network_port_chips2_pixels16_width8 u_port0 (                // rtl/src/pixelflow/node.rs:169
         .clk              (network_clk),
         .rst              (network_rst),
         .mode             (u_sequencer0_mode),
@@ -282,7 +282,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
         .downstream_bytes (network_0_downstream_bytes)
     );
 
-    network_sequencer_pixels16_setup2 u_sequencer1 (             // rtl/src/pixelflow/node.rs:198
+    network_sequencer_pixels16_setup2 u_sequencer1 (             // rtl/src/pixelflow/node.rs:166
         .clk        (network_clk),
         .rst        (network_rst),
         .jobs_valid (network_1_jobs_valid),
@@ -304,7 +304,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
         .jobs_ready (network_1_jobs_ready)
     );
 
-    network_port_chips2_pixels16_width8 u_port1 (                // rtl/src/pixelflow/node.rs:201
+    network_port_chips2_pixels16_width8 u_port1 (                // rtl/src/pixelflow/node.rs:169
         .clk              (network_clk),
         .rst              (network_rst),
         .mode             (u_sequencer1_mode),
@@ -322,7 +322,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
         .downstream_bytes (network_1_downstream_bytes)
     );
 
-    pixel_array_width8_height4 u_array (                         // rtl/src/pixelflow/node.rs:178
+    pixel_array_width8_height4 u_array (                         // rtl/src/pixelflow/node.rs:146
         .array_clk                (array_clk),
         .array_rst                (array_rst),
         .network_clk              (network_clk),
@@ -453,11 +453,11 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge network_clk) begin
-        if (!network_rst) assert ((u_sequencer0_bank & u_sequencer1_bank) == 2'd0); // rtl/src/pixelflow/node.rs:166
+        if (!network_rst) assert ((u_sequencer0_bank & u_sequencer1_bank) == 2'd0); // rtl/src/pixelflow/node.rs:134
     end
 `else
     always @(posedge network_clk) begin
-        if (!network_rst && !((u_sequencer0_bank & u_sequencer1_bank) == 2'd0)) begin // rtl/src/pixelflow/node.rs:166
+        if (!network_rst && !((u_sequencer0_bank & u_sequencer1_bank) == 2'd0)) begin // rtl/src/pixelflow/node.rs:134
             $display("FAIL: time %0t: %m: a bank belongs to one direction at a time", $time);
             stop;
         end

@@ -67,41 +67,41 @@ module pixel_array_width8_height4 (
     output wire        instructions_ready
 );
 
-    wire [7:0] u_controller_coefficients_a;                      // rtl/src/pixelflow/array.rs:128
-    wire [7:0] u_controller_coefficients_b;                      // rtl/src/pixelflow/array.rs:128
-    wire [7:0] u_controller_coefficients_c;                      // rtl/src/pixelflow/array.rs:128
-    wire u_controller_first;                                     // rtl/src/pixelflow/array.rs:128
-    wire u_controller_sends;                                     // rtl/src/pixelflow/array.rs:128
-    wire [1:0] u_controller_control_source;                      // rtl/src/pixelflow/array.rs:128
-    wire [7:0] u_controller_control_constant;                    // rtl/src/pixelflow/array.rs:128
-    wire [3:0] u_controller_control_function;                    // rtl/src/pixelflow/array.rs:128
-    wire [1:0] u_controller_control_begin;                       // rtl/src/pixelflow/array.rs:128
-    wire [1:0] u_controller_control_mask;                        // rtl/src/pixelflow/array.rs:128
-    wire u_controller_control_accumulates;                       // rtl/src/pixelflow/array.rs:128
-    wire u_controller_control_stores;                            // rtl/src/pixelflow/array.rs:128
-    wire [1:0] u_controller_control_condition;                   // rtl/src/pixelflow/array.rs:128
-    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixelflow/array.rs:128
-    wire u_controller_control_by_sign;                           // rtl/src/pixelflow/array.rs:128
-    wire [1:0] u_controller_control_flagging;                    // rtl/src/pixelflow/array.rs:128
-    wire [8:0] u_controller_control_read;                        // rtl/src/pixelflow/array.rs:128
-    wire [8:0] u_controller_control_write;                       // rtl/src/pixelflow/array.rs:128
-    wire [255:0] u_evaluator_value;                              // rtl/src/pixelflow/array.rs:134
-    wire [255:0] u_bank0_word;                                   // rtl/src/pixelflow/array.rs:149
-    wire [255:0] u_bank1_word;                                   // rtl/src/pixelflow/array.rs:149
-    wire [255:0] u_texture_word;                                 // rtl/src/pixelflow/array.rs:149
+    wire [7:0] u_controller_coefficients_a;                      // rtl/src/pixelflow/array.rs:109
+    wire [7:0] u_controller_coefficients_b;                      // rtl/src/pixelflow/array.rs:109
+    wire [7:0] u_controller_coefficients_c;                      // rtl/src/pixelflow/array.rs:109
+    wire u_controller_first;                                     // rtl/src/pixelflow/array.rs:109
+    wire u_controller_sends;                                     // rtl/src/pixelflow/array.rs:109
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixelflow/array.rs:109
+    wire [7:0] u_controller_control_constant;                    // rtl/src/pixelflow/array.rs:109
+    wire [3:0] u_controller_control_function;                    // rtl/src/pixelflow/array.rs:109
+    wire [1:0] u_controller_control_begin;                       // rtl/src/pixelflow/array.rs:109
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixelflow/array.rs:109
+    wire u_controller_control_accumulates;                       // rtl/src/pixelflow/array.rs:109
+    wire u_controller_control_stores;                            // rtl/src/pixelflow/array.rs:109
+    wire [1:0] u_controller_control_condition;                   // rtl/src/pixelflow/array.rs:109
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixelflow/array.rs:109
+    wire u_controller_control_by_sign;                           // rtl/src/pixelflow/array.rs:109
+    wire [1:0] u_controller_control_flagging;                    // rtl/src/pixelflow/array.rs:109
+    wire [8:0] u_controller_control_read;                        // rtl/src/pixelflow/array.rs:109
+    wire [8:0] u_controller_control_write;                       // rtl/src/pixelflow/array.rs:109
+    wire [255:0] u_evaluator_value;                              // rtl/src/pixelflow/array.rs:115
+    wire [255:0] u_bank0_word;                                   // rtl/src/pixelflow/array.rs:130
+    wire [255:0] u_bank1_word;                                   // rtl/src/pixelflow/array.rs:130
+    wire [255:0] u_texture_word;                                 // rtl/src/pixelflow/array.rs:130
 
-    wire [31:0] u_bank0_writes;                                  // rtl/src/pixelflow/array.rs:145
-    wire [255:0] u_bank0_result;                                 // rtl/src/pixelflow/array.rs:138
-    wire [31:0] u_bank1_writes;                                  // rtl/src/pixelflow/array.rs:145
-    wire [255:0] u_bank1_result;                                 // rtl/src/pixelflow/array.rs:138
-    wire [31:0] u_texture_writes;                                // rtl/src/pixelflow/array.rs:145
-    wire [255:0] u_texture_result;                               // rtl/src/pixelflow/array.rs:138
+    wire [31:0] u_bank0_writes;                                  // rtl/src/pixelflow/array.rs:126
+    wire [255:0] u_bank0_result;                                 // rtl/src/pixelflow/array.rs:119
+    wire [31:0] u_bank1_writes;                                  // rtl/src/pixelflow/array.rs:126
+    wire [255:0] u_bank1_result;                                 // rtl/src/pixelflow/array.rs:119
+    wire [31:0] u_texture_writes;                                // rtl/src/pixelflow/array.rs:126
+    wire [255:0] u_texture_result;                               // rtl/src/pixelflow/array.rs:119
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_pixel                // rtl/src/pixelflow/array.rs:160
+        for (i = 0; i < 2; i = i + 1) begin : u_pixel                // rtl/src/pixelflow/array.rs:141
             for (j = 0; j < 16; j = j + 1) begin : col
                 wire [7:0] lane_result;
                 wire lane_writes_register;
@@ -150,7 +150,7 @@ module pixel_array_width8_height4 (
         end
     endgenerate
 
-    array_controller_width8_height4 u_controller (               // rtl/src/pixelflow/array.rs:128
+    array_controller_width8_height4 u_controller (               // rtl/src/pixelflow/array.rs:109
         .clk                      (array_clk),
         .rst                      (array_rst),
         .instructions_valid       (instructions_valid),
@@ -199,7 +199,7 @@ module pixel_array_width8_height4 (
         .instructions_ready       (instructions_ready)
     );
 
-    linear_evaluator_width8_height4 u_evaluator (                // rtl/src/pixelflow/array.rs:134
+    linear_evaluator_width8_height4 u_evaluator (                // rtl/src/pixelflow/array.rs:115
         .clk            (array_clk),
         .rst            (array_rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -210,7 +210,7 @@ module pixel_array_width8_height4 (
         .value          (u_evaluator_value)
     );
 
-    communication_registers_width8_height4_bytes32_port_network u_bank0 ( // rtl/src/pixelflow/array.rs:149
+    communication_registers_width8_height4_bytes32_port_network u_bank0 ( // rtl/src/pixelflow/array.rs:130
         .array_clk    (array_clk),
         .network_clk  (network_clk),
         .read         (u_controller_control_read[4:0]),
@@ -225,7 +225,7 @@ module pixel_array_width8_height4 (
         .seen         (network_seen_0)
     );
 
-    communication_registers_width8_height4_bytes32_port_network u_bank1 ( // rtl/src/pixelflow/array.rs:149
+    communication_registers_width8_height4_bytes32_port_network u_bank1 ( // rtl/src/pixelflow/array.rs:130
         .array_clk    (array_clk),
         .network_clk  (network_clk),
         .read         (u_controller_control_read[4:0]),
@@ -240,7 +240,7 @@ module pixel_array_width8_height4 (
         .seen         (network_seen_1)
     );
 
-    communication_registers_width8_height4_bytes64_port_array u_texture ( // rtl/src/pixelflow/array.rs:149
+    communication_registers_width8_height4_bytes64_port_array u_texture ( // rtl/src/pixelflow/array.rs:130
         .array_clk    (array_clk),
         .read         (u_controller_control_read[5:0]),
         .write        (u_controller_control_write[5:0]),

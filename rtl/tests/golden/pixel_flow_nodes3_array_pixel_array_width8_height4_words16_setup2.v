@@ -169,8 +169,8 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     output wire        back_2_ready
 );
 
-    wire go_forth;                                               // rtl/src/pixelflow/machine.rs:114
-    wire go_back;                                                // rtl/src/pixelflow/machine.rs:114
+    wire go_forth;                                               // rtl/src/pixelflow/machine.rs:85
+    wire go_back;                                                // rtl/src/pixelflow/machine.rs:85
 
     genvar i;
     genvar j;
@@ -251,7 +251,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     wire [17:0] u_node_texture_address = {textures_2_address, textures_1_address, textures_0_address};
     wire [2:0] u_node_texture_writes = {textures_2_writes, textures_1_writes, textures_0_writes};
     generate
-        for (i = 0; i < 3; i = i + 1) begin : u_node                 // rtl/src/pixelflow/machine.rs:116
+        for (i = 0; i < 3; i = i + 1) begin : u_node                 // rtl/src/pixelflow/machine.rs:87
             wire [15:0] texture_seen;
             wire texture_starts;
             wire lane_idle;
@@ -426,29 +426,29 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
         end
     endgenerate
 
-    assign frames_0_ready = u_node[0].frames_ready;              // rtl/src/pixelflow/machine.rs:120
-    assign frames_1_ready = u_node[1].frames_ready;              // rtl/src/pixelflow/machine.rs:120
-    assign frames_2_ready = u_node[2].frames_ready;              // rtl/src/pixelflow/machine.rs:120
-    assign forth_0_ready = u_node[0].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:115
-    assign forth_1_ready = u_node[1].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:115
-    assign forth_2_ready = u_node[2].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:115
-    assign back_0_ready = u_node[0].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:115
-    assign back_1_ready = u_node[1].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:115
-    assign back_2_ready = u_node[2].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:115
+    assign frames_0_ready = u_node[0].frames_ready;              // rtl/src/pixelflow/machine.rs:91
+    assign frames_1_ready = u_node[1].frames_ready;              // rtl/src/pixelflow/machine.rs:91
+    assign frames_2_ready = u_node[2].frames_ready;              // rtl/src/pixelflow/machine.rs:91
+    assign forth_0_ready = u_node[0].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:86
+    assign forth_1_ready = u_node[1].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:86
+    assign forth_2_ready = u_node[2].network_0_jobs_ready;       // rtl/src/pixelflow/machine.rs:86
+    assign back_0_ready = u_node[0].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:86
+    assign back_1_ready = u_node[1].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:86
+    assign back_2_ready = u_node[2].network_1_jobs_ready;        // rtl/src/pixelflow/machine.rs:86
     wire [2:0] go_forth_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : go_forth_of
             assign go_forth_lanes[i] = u_node[i].network_0_ready;
         end
     endgenerate
-    assign go_forth = &go_forth_lanes;                           // rtl/src/pixelflow/machine.rs:114
+    assign go_forth = &go_forth_lanes;                           // rtl/src/pixelflow/machine.rs:85
     wire [2:0] go_back_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : go_back_of
             assign go_back_lanes[i] = u_node[i].network_1_ready;
         end
     endgenerate
-    assign go_back = &go_back_lanes;                             // rtl/src/pixelflow/machine.rs:114
+    assign go_back = &go_back_lanes;                             // rtl/src/pixelflow/machine.rs:85
     generate
         for (i = 0; i < 2; i = i + 1) begin : texture_seen_0_of
             assign texture_seen_0[i * 8 +: 8] = u_node[0].texture_seen[i * 8 +: 8];

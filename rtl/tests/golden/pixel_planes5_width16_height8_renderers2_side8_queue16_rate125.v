@@ -55,56 +55,56 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     output wire         bins_1_ready
 );
 
-    wire u_ring_instructions_0_valid;                            // rtl/src/pixel_planes/machine.rs:133
-    wire [4:0] u_ring_instructions_0_operation;                  // rtl/src/pixel_planes/machine.rs:133
-    wire [5:0] u_ring_instructions_0_skip;                       // rtl/src/pixel_planes/machine.rs:133
-    wire [6:0] u_ring_instructions_0_length;                     // rtl/src/pixel_planes/machine.rs:133
-    wire [7:0] u_ring_instructions_0_read;                       // rtl/src/pixel_planes/machine.rs:133
-    wire [7:0] u_ring_instructions_0_write;                      // rtl/src/pixel_planes/machine.rs:133
-    wire [39:0] u_ring_instructions_0_coefficients_a;            // rtl/src/pixel_planes/machine.rs:133
-    wire [39:0] u_ring_instructions_0_coefficients_b;            // rtl/src/pixel_planes/machine.rs:133
-    wire [39:0] u_ring_instructions_0_coefficients_c;            // rtl/src/pixel_planes/machine.rs:133
-    wire u_ring_instructions_1_valid;                            // rtl/src/pixel_planes/machine.rs:133
-    wire [4:0] u_ring_instructions_1_operation;                  // rtl/src/pixel_planes/machine.rs:133
-    wire [5:0] u_ring_instructions_1_skip;                       // rtl/src/pixel_planes/machine.rs:133
-    wire [6:0] u_ring_instructions_1_length;                     // rtl/src/pixel_planes/machine.rs:133
-    wire [7:0] u_ring_instructions_1_read;                       // rtl/src/pixel_planes/machine.rs:133
-    wire [7:0] u_ring_instructions_1_write;                      // rtl/src/pixel_planes/machine.rs:133
-    wire [39:0] u_ring_instructions_1_coefficients_a;            // rtl/src/pixel_planes/machine.rs:133
-    wire [39:0] u_ring_instructions_1_coefficients_b;            // rtl/src/pixel_planes/machine.rs:133
-    wire [39:0] u_ring_instructions_1_coefficients_c;            // rtl/src/pixel_planes/machine.rs:133
-    wire [15:0] u_ring_planes_region;                            // rtl/src/pixel_planes/machine.rs:133
-    wire [2:0] u_ring_planes_line;                               // rtl/src/pixel_planes/machine.rs:133
-    wire [5:0] u_ring_planes_plane;                              // rtl/src/pixel_planes/machine.rs:133
-    wire [7:0] u_ring_planes_bits;                               // rtl/src/pixel_planes/machine.rs:133
-    wire u_ring_finished_0_ready;                                // rtl/src/pixel_planes/machine.rs:133
-    wire u_ring_finished_1_ready;                                // rtl/src/pixel_planes/machine.rs:133
-    wire finished0_valid;                                        // rtl/src/pixel_planes/machine.rs:130
-    wire [15:0] finished0_region;                                // rtl/src/pixel_planes/machine.rs:130
-    wire [2:0] finished0_line;                                   // rtl/src/pixel_planes/machine.rs:130
-    wire [5:0] finished0_plane;                                  // rtl/src/pixel_planes/machine.rs:130
-    wire [7:0] u_renderer0_planes_bits;                          // rtl/src/pixel_planes/machine.rs:138
-    wire u_renderer0_room;                                       // rtl/src/pixel_planes/machine.rs:138
-    wire u_renderer0_takes;                                      // rtl/src/pixel_planes/machine.rs:138
-    wire u_renderer0_idle;                                       // rtl/src/pixel_planes/machine.rs:138
-    wire u_renderer0_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:138
-    wire finished1_valid;                                        // rtl/src/pixel_planes/machine.rs:130
-    wire [15:0] finished1_region;                                // rtl/src/pixel_planes/machine.rs:130
-    wire [2:0] finished1_line;                                   // rtl/src/pixel_planes/machine.rs:130
-    wire [5:0] finished1_plane;                                  // rtl/src/pixel_planes/machine.rs:130
-    wire [7:0] u_renderer1_planes_bits;                          // rtl/src/pixel_planes/machine.rs:138
-    wire u_renderer1_room;                                       // rtl/src/pixel_planes/machine.rs:138
-    wire u_renderer1_takes;                                      // rtl/src/pixel_planes/machine.rs:138
-    wire u_renderer1_idle;                                       // rtl/src/pixel_planes/machine.rs:138
-    wire u_renderer1_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:138
-    wire u_frame_buffer_planes_ready;                            // rtl/src/pixel_planes/machine.rs:150
+    wire u_ring_instructions_0_valid;                            // rtl/src/pixel_planes/machine.rs:102
+    wire [4:0] u_ring_instructions_0_operation;                  // rtl/src/pixel_planes/machine.rs:102
+    wire [5:0] u_ring_instructions_0_skip;                       // rtl/src/pixel_planes/machine.rs:102
+    wire [6:0] u_ring_instructions_0_length;                     // rtl/src/pixel_planes/machine.rs:102
+    wire [7:0] u_ring_instructions_0_read;                       // rtl/src/pixel_planes/machine.rs:102
+    wire [7:0] u_ring_instructions_0_write;                      // rtl/src/pixel_planes/machine.rs:102
+    wire [39:0] u_ring_instructions_0_coefficients_a;            // rtl/src/pixel_planes/machine.rs:102
+    wire [39:0] u_ring_instructions_0_coefficients_b;            // rtl/src/pixel_planes/machine.rs:102
+    wire [39:0] u_ring_instructions_0_coefficients_c;            // rtl/src/pixel_planes/machine.rs:102
+    wire u_ring_instructions_1_valid;                            // rtl/src/pixel_planes/machine.rs:102
+    wire [4:0] u_ring_instructions_1_operation;                  // rtl/src/pixel_planes/machine.rs:102
+    wire [5:0] u_ring_instructions_1_skip;                       // rtl/src/pixel_planes/machine.rs:102
+    wire [6:0] u_ring_instructions_1_length;                     // rtl/src/pixel_planes/machine.rs:102
+    wire [7:0] u_ring_instructions_1_read;                       // rtl/src/pixel_planes/machine.rs:102
+    wire [7:0] u_ring_instructions_1_write;                      // rtl/src/pixel_planes/machine.rs:102
+    wire [39:0] u_ring_instructions_1_coefficients_a;            // rtl/src/pixel_planes/machine.rs:102
+    wire [39:0] u_ring_instructions_1_coefficients_b;            // rtl/src/pixel_planes/machine.rs:102
+    wire [39:0] u_ring_instructions_1_coefficients_c;            // rtl/src/pixel_planes/machine.rs:102
+    wire [15:0] u_ring_planes_region;                            // rtl/src/pixel_planes/machine.rs:102
+    wire [2:0] u_ring_planes_line;                               // rtl/src/pixel_planes/machine.rs:102
+    wire [5:0] u_ring_planes_plane;                              // rtl/src/pixel_planes/machine.rs:102
+    wire [7:0] u_ring_planes_bits;                               // rtl/src/pixel_planes/machine.rs:102
+    wire u_ring_finished_0_ready;                                // rtl/src/pixel_planes/machine.rs:102
+    wire u_ring_finished_1_ready;                                // rtl/src/pixel_planes/machine.rs:102
+    wire finished0_valid;                                        // rtl/src/pixel_planes/machine.rs:99
+    wire [15:0] finished0_region;                                // rtl/src/pixel_planes/machine.rs:99
+    wire [2:0] finished0_line;                                   // rtl/src/pixel_planes/machine.rs:99
+    wire [5:0] finished0_plane;                                  // rtl/src/pixel_planes/machine.rs:99
+    wire [7:0] u_renderer0_planes_bits;                          // rtl/src/pixel_planes/machine.rs:107
+    wire u_renderer0_room;                                       // rtl/src/pixel_planes/machine.rs:107
+    wire u_renderer0_takes;                                      // rtl/src/pixel_planes/machine.rs:107
+    wire u_renderer0_idle;                                       // rtl/src/pixel_planes/machine.rs:107
+    wire u_renderer0_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:107
+    wire finished1_valid;                                        // rtl/src/pixel_planes/machine.rs:99
+    wire [15:0] finished1_region;                                // rtl/src/pixel_planes/machine.rs:99
+    wire [2:0] finished1_line;                                   // rtl/src/pixel_planes/machine.rs:99
+    wire [5:0] finished1_plane;                                  // rtl/src/pixel_planes/machine.rs:99
+    wire [7:0] u_renderer1_planes_bits;                          // rtl/src/pixel_planes/machine.rs:107
+    wire u_renderer1_room;                                       // rtl/src/pixel_planes/machine.rs:107
+    wire u_renderer1_takes;                                      // rtl/src/pixel_planes/machine.rs:107
+    wire u_renderer1_idle;                                       // rtl/src/pixel_planes/machine.rs:107
+    wire u_renderer1_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:107
+    wire u_frame_buffer_planes_ready;                            // rtl/src/pixel_planes/machine.rs:119
 
-    wire [1:0] u_ring_room;                                      // rtl/src/pixel_planes/machine.rs:131
-    wire [7:0] u_ring_finished_0_bits;                           // rtl/src/pixel_planes/machine.rs:130
-    wire [7:0] u_ring_finished_1_bits;                           // rtl/src/pixel_planes/machine.rs:130
-    wire [1:0] u_allocator_free;                                 // rtl/src/pixel_planes/machine.rs:147
-    assign takes = {u_renderer1_takes, u_renderer0_takes};       // rtl/src/pixel_planes/machine.rs:154
-    assign idle = {u_renderer1_idle, u_renderer0_idle};          // rtl/src/pixel_planes/machine.rs:145
+    wire [1:0] u_ring_room;                                      // rtl/src/pixel_planes/machine.rs:100
+    wire [7:0] u_ring_finished_0_bits;                           // rtl/src/pixel_planes/machine.rs:99
+    wire [7:0] u_ring_finished_1_bits;                           // rtl/src/pixel_planes/machine.rs:99
+    wire [1:0] u_allocator_free;                                 // rtl/src/pixel_planes/machine.rs:116
+    assign takes = {u_renderer1_takes, u_renderer0_takes};       // rtl/src/pixel_planes/machine.rs:123
+    assign idle = {u_renderer1_idle, u_renderer0_idle};          // rtl/src/pixel_planes/machine.rs:114
 
     genvar i;
 
@@ -141,7 +141,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         end
     endgenerate
 
-    ring_renderers2_side8_rate125 u_ring (                       // rtl/src/pixel_planes/machine.rs:133
+    ring_renderers2_side8_rate125 u_ring (                       // rtl/src/pixel_planes/machine.rs:102
         .clk                           (clk),
         .rst                           (rst),
         .bins_0_valid                  (bins_0_valid),
@@ -205,7 +205,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .finished_1_ready              (u_ring_finished_1_ready)
     );
 
-    renderer_side8_queue16 u_renderer0 (                         // rtl/src/pixel_planes/machine.rs:138
+    renderer_side8_queue16 u_renderer0 (                         // rtl/src/pixel_planes/machine.rs:107
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_ring_instructions_0_valid),
@@ -230,7 +230,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .instructions_ready          (u_renderer0_instructions_ready)
     );
 
-    renderer_side8_queue16 u_renderer1 (                         // rtl/src/pixel_planes/machine.rs:138
+    renderer_side8_queue16 u_renderer1 (                         // rtl/src/pixel_planes/machine.rs:107
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_ring_instructions_1_valid),
@@ -255,7 +255,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .instructions_ready          (u_renderer1_instructions_ready)
     );
 
-    region_allocator_renderers2 u_allocator (                    // rtl/src/pixel_planes/machine.rs:148
+    region_allocator_renderers2 u_allocator (                    // rtl/src/pixel_planes/machine.rs:117
         .clk             (clk),
         .rst             (rst),
         .regions_valid   (regions_valid),
@@ -266,7 +266,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .regions_ready   (regions_ready)
     );
 
-    frame_buffer_width16_height8_side8 u_frame_buffer (          // rtl/src/pixel_planes/machine.rs:150
+    frame_buffer_width16_height8_side8 u_frame_buffer (          // rtl/src/pixel_planes/machine.rs:119
         .clk           (clk),
         .rst           (rst),
         .planes_valid  (plane_goes),

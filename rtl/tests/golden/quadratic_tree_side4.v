@@ -5,7 +5,7 @@
 // Parameters  QuadraticTree { side: 4 }
 // Latency     8 clocks from a coefficient's bit to the expression's bit at each pixel
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/quadratic_tree.rs:42
+// Described   rtl/src/pixel_planes/quadratic_tree.rs:43
 `default_nettype none
 
 module quadratic_tree_side4 (
@@ -24,39 +24,39 @@ module quadratic_tree_side4 (
     output wire [15:0] value           // A bit of the expression at each pixel, a row for each line.
 );
 
-    reg first1;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:86
-    reg first2;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:86
-    reg first3;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:86
-    reg first4;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:86
-    reg first5;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:86
-    reg first6;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:86
-    reg first7;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:86
-    reg d1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg d2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg f1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg f2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg f3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg f4;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg f5;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg f6;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg a1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:154
-    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:154
-    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:166
-    reg b1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg b2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg b3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg e1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg e2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg e3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg e4;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg e_has_come0;                                             // rtl/src/pixel_planes/quadratic_tree.rs:104
-    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:154
-    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:154
-    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:166
+    reg first1;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:88
+    reg first2;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:88
+    reg first3;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:88
+    reg first4;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:88
+    reg first5;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:88
+    reg first6;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:88
+    reg first7;                                                  // rtl/src/pixel_planes/quadratic_tree.rs:88
+    reg d1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg d2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg f1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg f2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg f3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg f4;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg f5;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg f6;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg a1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:156
+    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:156
+    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:168
+    reg b1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg b2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg b3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg e1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg e2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg e3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg e4;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:89
+    reg e_has_come0;                                             // rtl/src/pixel_planes/quadratic_tree.rs:106
+    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:156
+    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:156
+    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:168
 
-    wire x_middle_carry0_and = d2 & (first2 | (x_curve_has_come0 & !first1)); // rtl/src/pixel_planes/quadratic_tree.rs:154
-    wire y_middle_carry0_and = f6 & (first6 | (y_curve_has_come0 & !first5)); // rtl/src/pixel_planes/quadratic_tree.rs:154
+    wire x_middle_carry0_and = d2 & (first2 | (x_curve_has_come0 & !first1)); // rtl/src/pixel_planes/quadratic_tree.rs:156
+    wire y_middle_carry0_and = f6 & (first6 | (y_curve_has_come0 & !first5)); // rtl/src/pixel_planes/quadratic_tree.rs:156
 
     genvar i;
     genvar j;

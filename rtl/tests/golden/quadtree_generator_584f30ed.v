@@ -6,7 +6,7 @@
 // Parameters  QuadtreeGenerator { video_processor: VideoProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queues: Queues { broadcast: 2, packets: 2, windows: 2 } } }
 // Latency     the clocks of the slowest video processor; 2 clocks from `start` to the first pixels
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)
-// Described   rtl/src/quadtree/generator.rs:37
+// Described   rtl/src/quadtree/generator.rs:35
 `default_nettype none
 
 module quadtree_generator_584f30ed (
@@ -63,36 +63,36 @@ module quadtree_generator_584f30ed (
     output wire         packets_ready
 );
 
-    reg back;                                                    // rtl/src/quadtree/generator.rs:108
+    reg back;                                                    // rtl/src/quadtree/generator.rs:86
 
-    wire u_queue_out_valid;                                      // rtl/src/quadtree/generator.rs:111
-    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/generator.rs:111
-    wire [3:0] u_controller_scan_enable;                         // rtl/src/quadtree/generator.rs:138
-    wire [7:0] u_controller_scan_x;                              // rtl/src/quadtree/generator.rs:138
-    wire [7:0] u_controller_scan_y;                              // rtl/src/quadtree/generator.rs:138
-    wire [3:0] u_controller_scan_clear;                          // rtl/src/quadtree/generator.rs:138
+    wire u_queue_out_valid;                                      // rtl/src/quadtree/generator.rs:89
+    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/generator.rs:89
+    wire [3:0] u_controller_scan_enable;                         // rtl/src/quadtree/generator.rs:116
+    wire [7:0] u_controller_scan_x;                              // rtl/src/quadtree/generator.rs:116
+    wire [7:0] u_controller_scan_y;                              // rtl/src/quadtree/generator.rs:116
+    wire [3:0] u_controller_scan_clear;                          // rtl/src/quadtree/generator.rs:116
 
-    wire all_have;                                               // rtl/src/quadtree/generator.rs:118
-    wire u_processor_idle_all;                                   // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_busy_picked_3;                             // rtl/src/quadtree/generator.rs:143
-    wire [31:0] tally_stalled_picked_3;                          // rtl/src/quadtree/generator.rs:143
-    wire [31:0] tally_results_picked_3;                          // rtl/src/quadtree/generator.rs:143
-    wire [31:0] tally_busy_picked;                               // rtl/src/quadtree/generator.rs:143
-    wire [31:0] tally_stalled_picked;                            // rtl/src/quadtree/generator.rs:143
-    wire [31:0] tally_results_picked;                            // rtl/src/quadtree/generator.rs:143
-    wire [31:0] tally_busy_picked_2;                             // rtl/src/quadtree/generator.rs:143
-    wire [31:0] tally_stalled_picked_2;                          // rtl/src/quadtree/generator.rs:143
-    wire [31:0] tally_results_picked_2;                          // rtl/src/quadtree/generator.rs:143
-    wire [191:0] u_controller_words;                             // rtl/src/quadtree/generator.rs:128
-    wire [50:0] u_queue_out_payload_721_671 = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:111
-    wire [50:0] u_queue_out_payload_670_620 = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:111
-    wire [95:0] u_queue_out_payload_619_524 = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:111
-    wire [159:0] u_queue_out_payload_523_364 = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:111
-    wire [159:0] u_queue_out_payload_363_204 = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:111
-    wire [159:0] u_queue_out_payload_203_44 = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:111
-    wire u_queue_out_valid_and_all_have = u_queue_out_valid & all_have; // rtl/src/quadtree/generator.rs:119
-    wire waits = u_queue_out_valid & !all_have;                  // rtl/src/quadtree/generator.rs:121
-    assign idle = !u_queue_out_valid & u_processor_idle_all;     // rtl/src/quadtree/generator.rs:141
+    wire all_have;                                               // rtl/src/quadtree/generator.rs:96
+    wire u_processor_idle_all;                                   // rtl/src/quadtree/generator.rs:119
+    wire [31:0] tally_busy_picked_3;                             // rtl/src/quadtree/generator.rs:121
+    wire [31:0] tally_stalled_picked_3;                          // rtl/src/quadtree/generator.rs:121
+    wire [31:0] tally_results_picked_3;                          // rtl/src/quadtree/generator.rs:121
+    wire [31:0] tally_busy_picked;                               // rtl/src/quadtree/generator.rs:121
+    wire [31:0] tally_stalled_picked;                            // rtl/src/quadtree/generator.rs:121
+    wire [31:0] tally_results_picked;                            // rtl/src/quadtree/generator.rs:121
+    wire [31:0] tally_busy_picked_2;                             // rtl/src/quadtree/generator.rs:121
+    wire [31:0] tally_stalled_picked_2;                          // rtl/src/quadtree/generator.rs:121
+    wire [31:0] tally_results_picked_2;                          // rtl/src/quadtree/generator.rs:121
+    wire [191:0] u_controller_words;                             // rtl/src/quadtree/generator.rs:106
+    wire [50:0] u_queue_out_payload_721_671 = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:89
+    wire [50:0] u_queue_out_payload_670_620 = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:89
+    wire [95:0] u_queue_out_payload_619_524 = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:89
+    wire [159:0] u_queue_out_payload_523_364 = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:89
+    wire [159:0] u_queue_out_payload_363_204 = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:89
+    wire [159:0] u_queue_out_payload_203_44 = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:89
+    wire u_queue_out_valid_and_all_have = u_queue_out_valid & all_have; // rtl/src/quadtree/generator.rs:97
+    wire waits = u_queue_out_valid & !all_have;                  // rtl/src/quadtree/generator.rs:99
+    assign idle = !u_queue_out_valid & u_processor_idle_all;     // rtl/src/quadtree/generator.rs:119
     always @* begin
         case (probe_unit)
             2'd1: tally_busy = tally_busy_picked;
@@ -119,7 +119,7 @@ module quadtree_generator_584f30ed (
     genvar j;
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_processor            // rtl/src/quadtree/generator.rs:128
+        for (i = 0; i < 4; i = i + 1) begin : u_processor            // rtl/src/quadtree/generator.rs:106
             wire [47:0] word;
             wire lane_idle;
             wire [31:0] tally_0_busy;
@@ -218,7 +218,7 @@ module quadtree_generator_584f30ed (
         end
     endgenerate
 
-    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/generator.rs:111
+    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/generator.rs:89
         .clk          (clk),
         .rst          (rst),
         .into_valid   (packets_valid),
@@ -233,7 +233,7 @@ module quadtree_generator_584f30ed (
         .into_ready   (packets_ready)
     );
 
-    video_controller_format8x8_2x2_edges3 u_controller (         // rtl/src/quadtree/generator.rs:138
+    video_controller_format8x8_2x2_edges3 u_controller (         // rtl/src/quadtree/generator.rs:116
         .clk             (clk),
         .rst             (rst),
         .show_start      (show_start),
@@ -256,84 +256,84 @@ module quadtree_generator_584f30ed (
             assign all_have_lanes[i] = u_processor[i].all_have_or;
         end
     endgenerate
-    assign all_have = &all_have_lanes;                           // rtl/src/quadtree/generator.rs:118
+    assign all_have = &all_have_lanes;                           // rtl/src/quadtree/generator.rs:96
     wire [3:0] u_processor_idle_all_lanes;
     generate
         for (i = 0; i < 4; i = i + 1) begin : u_processor_idle_all_of
             assign u_processor_idle_all_lanes[i] = u_processor[i].lane_idle;
         end
     endgenerate
-    assign u_processor_idle_all = &u_processor_idle_all_lanes;   // rtl/src/quadtree/generator.rs:141
+    assign u_processor_idle_all = &u_processor_idle_all_lanes;   // rtl/src/quadtree/generator.rs:119
     wire [31:0] tally_busy_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_3_of
             assign tally_busy_picked_3_lanes[i] = u_processor[i].tally_0_busy;
         end
     endgenerate
-    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] tally_stalled_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_3_of
             assign tally_stalled_picked_3_lanes[i] = u_processor[i].tally_0_stalled;
         end
     endgenerate
-    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] tally_results_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_3_of
             assign tally_results_picked_3_lanes[i] = u_processor[i].tally_0_results;
         end
     endgenerate
-    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] tally_busy_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_of
             assign tally_busy_picked_lanes[i] = u_processor[i].tally_1_busy;
         end
     endgenerate
-    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] tally_stalled_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_of
             assign tally_stalled_picked_lanes[i] = u_processor[i].tally_1_stalled;
         end
     endgenerate
-    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] tally_results_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_of
             assign tally_results_picked_lanes[i] = u_processor[i].tally_1_results;
         end
     endgenerate
-    assign tally_results_picked = tally_results_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_results_picked = tally_results_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] tally_busy_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_2_of
             assign tally_busy_picked_2_lanes[i] = u_processor[i].tally_2_busy;
         end
     endgenerate
-    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] tally_stalled_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_2_of
             assign tally_stalled_picked_2_lanes[i] = u_processor[i].tally_2_stalled;
         end
     endgenerate
-    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] tally_results_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_2_of
             assign tally_results_picked_2_lanes[i] = u_processor[i].tally_2_results;
         end
     endgenerate
-    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
+    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:121
     wire [31:0] fragments_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : fragments_of
             assign fragments_lanes[i] = u_processor[i].lane_fragments;
         end
     endgenerate
-    assign fragments = fragments_lanes[probe_processor];         // rtl/src/quadtree/generator.rs:152
+    assign fragments = fragments_lanes[probe_processor];         // rtl/src/quadtree/generator.rs:130
     generate
         for (i = 0; i < 4; i = i + 1) begin : u_controller_words_of
             assign u_controller_words[i * 48 +: 48] = u_processor[i].word;
@@ -371,11 +371,11 @@ module quadtree_generator_584f30ed (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!swap | (idle & !showing));                // rtl/src/quadtree/generator.rs:142
+        if (!rst) assume (!swap | (idle & !showing));                // rtl/src/quadtree/generator.rs:120
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!swap | (idle & !showing))) begin              // rtl/src/quadtree/generator.rs:142
+        if (!rst && !(!swap | (idle & !showing))) begin              // rtl/src/quadtree/generator.rs:120
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped only while nothing is drawn or read", $time);
             stop;
         end

@@ -43,38 +43,38 @@ module renderer_side8_queue16 (
     output wire        instructions_ready
 );
 
-    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:131
-    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:131
-    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:136
-    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:136
-    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:136
-    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:136
-    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:136
-    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:136
-    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:136
-    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:136
-    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:145
-    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:133
+    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:96
+    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:96
+    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:101
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:101
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:101
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:101
+    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:101
+    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:101
+    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:101
+    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:101
+    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:110
+    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:98
 
-    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:151
-    assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:132
+    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:116
+    assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:97
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:151
+        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:116
             for (j = 0; j < 8; j = j + 1) begin : col
                 wire word;
 
@@ -98,7 +98,7 @@ module renderer_side8_queue16 (
         end
     endgenerate
 
-    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:131
+    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:96
         .clk          (clk),
         .rst          (rst),
         .into_valid   (instructions_valid),
@@ -113,7 +113,7 @@ module renderer_side8_queue16 (
         .into_ready   (instructions_ready)
     );
 
-    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:136
+    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:101
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_queue_out_valid),
@@ -149,7 +149,7 @@ module renderer_side8_queue16 (
         .instructions_ready          (u_controller_instructions_ready)
     );
 
-    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:145
+    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:110
         .clk            (clk),
         .rst            (rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -159,7 +159,7 @@ module renderer_side8_queue16 (
         .value          (u_tree_value)
     );
 
-    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:155
+    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:120
         .clk           (clk),
         .rst           (rst),
         .save_claim    (u_controller_save_claim),

@@ -84,63 +84,63 @@ module ring_renderers2_side8_rate125 (
     output wire        finished_1_ready
 );
 
-    reg [1:0] line_of;                                           // rtl/src/pixel_planes/ring.rs:165
-    reg [8:0] credit;                                            // rtl/src/pixel_planes/ring.rs:189
-    reg [3:0] last;                                              // rtl/src/pixel_planes/ring.rs:190
+    reg [1:0] line_of;                                           // rtl/src/pixel_planes/ring.rs:128
+    reg [8:0] credit;                                            // rtl/src/pixel_planes/ring.rs:152
+    reg [3:0] last;                                              // rtl/src/pixel_planes/ring.rs:153
 
-    wire requests_and_3;                                         // rtl/src/pixel_planes/ring.rs:158
-    wire requests_and_4;                                         // rtl/src/pixel_planes/ring.rs:158
-    wire requests_and = finished_1_valid & ((line_of == 2'd0) | line_of[1]); // rtl/src/pixel_planes/ring.rs:169
-    wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:169
-    wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:180
-    wire [3:0] behind_last = requests & ~(last | (last - 4'd1)); // rtl/src/pixel_planes/ring.rs:191
-    wire wants0 = behind_last[0];                                // rtl/src/pixel_planes/ring.rs:213
-    wire wants1_and = wants0 & (credit < 9'd154);                // rtl/src/pixel_planes/ring.rs:216
-    wire wants1 = behind_last[1] & !wants1_and;                  // rtl/src/pixel_planes/ring.rs:213
-    wire goes0 = wants0 & (credit >= 9'd154);                    // rtl/src/pixel_planes/ring.rs:215
-    wire [8:0] credit0 = goes0 ? (credit - 9'd154) : credit;     // rtl/src/pixel_planes/ring.rs:217
-    wire wants2_or = wants1_and | (wants1 & (credit0 < 9'd154)); // rtl/src/pixel_planes/ring.rs:216
-    wire wants2 = behind_last[2] & !wants2_or;                   // rtl/src/pixel_planes/ring.rs:213
-    wire goes1 = wants1 & (credit0 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:215
-    wire [8:0] credit1 = goes1 ? (credit0 - 9'd154) : credit0;   // rtl/src/pixel_planes/ring.rs:217
-    wire wants3_or = wants2_or | (wants2 & (credit1 < 9'd8));    // rtl/src/pixel_planes/ring.rs:216
-    wire goes2 = wants2 & (credit1 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:215
-    wire wants3 = behind_last[3] & (!wants3_or & !goes2);        // rtl/src/pixel_planes/ring.rs:213
-    wire [8:0] credit2 = goes2 ? (credit1 - 9'd8) : credit1;     // rtl/src/pixel_planes/ring.rs:217
-    wire goes3 = wants3 & (credit2 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:215
-    wire [3:0] up_to_last = requests & (last | (last - 4'd1));   // rtl/src/pixel_planes/ring.rs:192
-    wire wants4_or = wants3_or | (wants3 & (credit2 < 9'd8));    // rtl/src/pixel_planes/ring.rs:216
-    wire wants4 = up_to_last[0] & !wants4_or;                    // rtl/src/pixel_planes/ring.rs:213
-    wire [8:0] credit3 = goes3 ? (credit2 - 9'd8) : credit2;     // rtl/src/pixel_planes/ring.rs:217
-    wire wants5_or = wants4_or | (wants4 & (credit3 < 9'd154));  // rtl/src/pixel_planes/ring.rs:216
-    wire wants5 = up_to_last[1] & !wants5_or;                    // rtl/src/pixel_planes/ring.rs:213
-    wire goes4 = wants4 & (credit3 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:215
-    wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:217
-    wire wants6_or = wants5_or | (wants5 & (credit4 < 9'd154));  // rtl/src/pixel_planes/ring.rs:216
-    wire goes2_or_goes3 = goes2 | goes3;                         // rtl/src/pixel_planes/ring.rs:220
-    wire wants6 = up_to_last[2] & (!wants6_or & !goes2_or_goes3); // rtl/src/pixel_planes/ring.rs:213
-    wire goes5 = wants5 & (credit4 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:215
-    wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:217
-    wire wants7_inverse = !(wants6_or | (wants6 & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:212
-    wire goes6 = wants6 & (credit5 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:215
-    wire wants7 = up_to_last[3] & (wants7_inverse & !(goes2_or_goes3 | goes6)); // rtl/src/pixel_planes/ring.rs:213
-    wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:217
-    wire goes7 = wants7 & (credit6 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:215
-    wire [3:0] granted = {goes3 | goes7, goes2 | goes6, goes1 | goes5, goes0 | goes4}; // rtl/src/pixel_planes/ring.rs:154
-    assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:159
-    assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:159
-    wire [1:0] of_plane = granted[3:2];                          // rtl/src/pixel_planes/ring.rs:166
-    assign finished_0_ready = of_plane[0];                       // rtl/src/pixel_planes/ring.rs:170
-    assign finished_1_ready = of_plane[1];                       // rtl/src/pixel_planes/ring.rs:170
-    assign instructions_0_valid = granted[0];                    // rtl/src/pixel_planes/ring.rs:159
-    assign instructions_1_valid = granted[1];                    // rtl/src/pixel_planes/ring.rs:159
-    assign planes_region = of_plane[1] ? finished_1_region : finished_0_region; // rtl/src/pixel_planes/ring.rs:173
-    assign planes_line = of_plane[1] ? finished_1_line : finished_0_line; // rtl/src/pixel_planes/ring.rs:173
-    assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:173
-    assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:174
-    wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:176
-    wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:217
-    wire [8:0] credit7_plus_125 = credit7 + 9'd125;              // rtl/src/pixel_planes/ring.rs:202
+    wire requests_and_3;                                         // rtl/src/pixel_planes/ring.rs:121
+    wire requests_and_4;                                         // rtl/src/pixel_planes/ring.rs:121
+    wire requests_and = finished_1_valid & ((line_of == 2'd0) | line_of[1]); // rtl/src/pixel_planes/ring.rs:132
+    wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:132
+    wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:143
+    wire [3:0] behind_last = requests & ~(last | (last - 4'd1)); // rtl/src/pixel_planes/ring.rs:154
+    wire wants0 = behind_last[0];                                // rtl/src/pixel_planes/ring.rs:176
+    wire wants1_and = wants0 & (credit < 9'd154);                // rtl/src/pixel_planes/ring.rs:179
+    wire wants1 = behind_last[1] & !wants1_and;                  // rtl/src/pixel_planes/ring.rs:176
+    wire goes0 = wants0 & (credit >= 9'd154);                    // rtl/src/pixel_planes/ring.rs:178
+    wire [8:0] credit0 = goes0 ? (credit - 9'd154) : credit;     // rtl/src/pixel_planes/ring.rs:180
+    wire wants2_or = wants1_and | (wants1 & (credit0 < 9'd154)); // rtl/src/pixel_planes/ring.rs:179
+    wire wants2 = behind_last[2] & !wants2_or;                   // rtl/src/pixel_planes/ring.rs:176
+    wire goes1 = wants1 & (credit0 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:178
+    wire [8:0] credit1 = goes1 ? (credit0 - 9'd154) : credit0;   // rtl/src/pixel_planes/ring.rs:180
+    wire wants3_or = wants2_or | (wants2 & (credit1 < 9'd8));    // rtl/src/pixel_planes/ring.rs:179
+    wire goes2 = wants2 & (credit1 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:178
+    wire wants3 = behind_last[3] & (!wants3_or & !goes2);        // rtl/src/pixel_planes/ring.rs:176
+    wire [8:0] credit2 = goes2 ? (credit1 - 9'd8) : credit1;     // rtl/src/pixel_planes/ring.rs:180
+    wire goes3 = wants3 & (credit2 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:178
+    wire [3:0] up_to_last = requests & (last | (last - 4'd1));   // rtl/src/pixel_planes/ring.rs:155
+    wire wants4_or = wants3_or | (wants3 & (credit2 < 9'd8));    // rtl/src/pixel_planes/ring.rs:179
+    wire wants4 = up_to_last[0] & !wants4_or;                    // rtl/src/pixel_planes/ring.rs:176
+    wire [8:0] credit3 = goes3 ? (credit2 - 9'd8) : credit2;     // rtl/src/pixel_planes/ring.rs:180
+    wire wants5_or = wants4_or | (wants4 & (credit3 < 9'd154));  // rtl/src/pixel_planes/ring.rs:179
+    wire wants5 = up_to_last[1] & !wants5_or;                    // rtl/src/pixel_planes/ring.rs:176
+    wire goes4 = wants4 & (credit3 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:178
+    wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:180
+    wire wants6_or = wants5_or | (wants5 & (credit4 < 9'd154));  // rtl/src/pixel_planes/ring.rs:179
+    wire goes2_or_goes3 = goes2 | goes3;                         // rtl/src/pixel_planes/ring.rs:183
+    wire wants6 = up_to_last[2] & (!wants6_or & !goes2_or_goes3); // rtl/src/pixel_planes/ring.rs:176
+    wire goes5 = wants5 & (credit4 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:178
+    wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:180
+    wire wants7_inverse = !(wants6_or | (wants6 & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:175
+    wire goes6 = wants6 & (credit5 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:178
+    wire wants7 = up_to_last[3] & (wants7_inverse & !(goes2_or_goes3 | goes6)); // rtl/src/pixel_planes/ring.rs:176
+    wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:180
+    wire goes7 = wants7 & (credit6 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:178
+    wire [3:0] granted = {goes3 | goes7, goes2 | goes6, goes1 | goes5, goes0 | goes4}; // rtl/src/pixel_planes/ring.rs:117
+    assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:122
+    assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:122
+    wire [1:0] of_plane = granted[3:2];                          // rtl/src/pixel_planes/ring.rs:129
+    assign finished_0_ready = of_plane[0];                       // rtl/src/pixel_planes/ring.rs:133
+    assign finished_1_ready = of_plane[1];                       // rtl/src/pixel_planes/ring.rs:133
+    assign instructions_0_valid = granted[0];                    // rtl/src/pixel_planes/ring.rs:122
+    assign instructions_1_valid = granted[1];                    // rtl/src/pixel_planes/ring.rs:122
+    assign planes_region = of_plane[1] ? finished_1_region : finished_0_region; // rtl/src/pixel_planes/ring.rs:136
+    assign planes_line = of_plane[1] ? finished_1_line : finished_0_line; // rtl/src/pixel_planes/ring.rs:136
+    assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:136
+    assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:137
+    wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:139
+    wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:180
+    wire [8:0] credit7_plus_125 = credit7 + 9'd125;              // rtl/src/pixel_planes/ring.rs:165
 
     genvar i;
 
@@ -150,8 +150,8 @@ module ring_renderers2_side8_rate125 (
         end
     endgenerate
 
-    assign requests_and_3 = bins_1_valid & room[1];              // rtl/src/pixel_planes/ring.rs:158
-    assign requests_and_4 = bins_0_valid & room[0];              // rtl/src/pixel_planes/ring.rs:158
+    assign requests_and_3 = bins_1_valid & room[1];              // rtl/src/pixel_planes/ring.rs:121
+    assign requests_and_4 = bins_0_valid & room[0];              // rtl/src/pixel_planes/ring.rs:121
     generate
         for (i = 0; i < 8; i = i + 1) begin : planes_bits_of
             assign planes_bits[i] = row[i].planes_bits_choice;
@@ -215,21 +215,21 @@ module ring_renderers2_side8_rate125 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!instructions_0_valid | instructions_0_ready); // rtl/src/pixel_planes/ring.rs:160
-        if (!rst) assume (!instructions_1_valid | instructions_1_ready); // rtl/src/pixel_planes/ring.rs:160
-        if (!rst) assume (!planes_valid | planes_ready);             // rtl/src/pixel_planes/ring.rs:175
+        if (!rst) assume (!instructions_0_valid | instructions_0_ready); // rtl/src/pixel_planes/ring.rs:123
+        if (!rst) assume (!instructions_1_valid | instructions_1_ready); // rtl/src/pixel_planes/ring.rs:123
+        if (!rst) assume (!planes_valid | planes_ready);             // rtl/src/pixel_planes/ring.rs:138
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!instructions_0_valid | instructions_0_ready)) begin // rtl/src/pixel_planes/ring.rs:160
+        if (!rst && !(!instructions_0_valid | instructions_0_ready)) begin // rtl/src/pixel_planes/ring.rs:123
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
             stop;
         end
-        if (!rst && !(!instructions_1_valid | instructions_1_ready)) begin // rtl/src/pixel_planes/ring.rs:160
+        if (!rst && !(!instructions_1_valid | instructions_1_ready)) begin // rtl/src/pixel_planes/ring.rs:123
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
             stop;
         end
-        if (!rst && !(!planes_valid | planes_ready)) begin           // rtl/src/pixel_planes/ring.rs:175
+        if (!rst && !(!planes_valid | planes_ready)) begin           // rtl/src/pixel_planes/ring.rs:138
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer takes each plane", $time);
             stop;
         end

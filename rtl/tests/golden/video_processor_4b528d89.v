@@ -58,58 +58,58 @@ module video_processor_4b528d89 (
     output wire         packets_ready
 );
 
-    reg drawn;                                                   // rtl/src/quadtree/processor.rs:90
+    reg drawn;                                                   // rtl/src/quadtree/processor.rs:95
 
-    wire u_queue_out_valid;                                      // rtl/src/quadtree/processor.rs:79
-    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/processor.rs:79
-    wire u_set_up_roots_valid;                                   // rtl/src/quadtree/processor.rs:80
-    wire [2:0] u_set_up_roots_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:80
-    wire [50:0] u_set_up_roots_polygon_step_x;                   // rtl/src/quadtree/processor.rs:80
-    wire [50:0] u_set_up_roots_polygon_step_y;                   // rtl/src/quadtree/processor.rs:80
-    wire [2:0] u_set_up_roots_polygon_right;                     // rtl/src/quadtree/processor.rs:80
-    wire [2:0] u_set_up_roots_polygon_lower;                     // rtl/src/quadtree/processor.rs:80
-    wire [159:0] u_set_up_roots_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:80
-    wire [159:0] u_set_up_roots_polygon_plane_y;                 // rtl/src/quadtree/processor.rs:80
-    wire [1:0] u_set_up_roots_window_size;                       // rtl/src/quadtree/processor.rs:80
-    wire [1:0] u_set_up_roots_window_x;                          // rtl/src/quadtree/processor.rs:80
-    wire [1:0] u_set_up_roots_window_y;                          // rtl/src/quadtree/processor.rs:80
-    wire [95:0] u_set_up_roots_window_edges;                     // rtl/src/quadtree/processor.rs:80
-    wire [12:0] u_set_up_roots_window_bounds_left;               // rtl/src/quadtree/processor.rs:80
-    wire [12:0] u_set_up_roots_window_bounds_top;                // rtl/src/quadtree/processor.rs:80
-    wire [12:0] u_set_up_roots_window_bounds_right;              // rtl/src/quadtree/processor.rs:80
-    wire [12:0] u_set_up_roots_window_bounds_bottom;             // rtl/src/quadtree/processor.rs:80
-    wire [159:0] u_set_up_roots_window_planes;                   // rtl/src/quadtree/processor.rs:80
-    wire u_set_up_idle;                                          // rtl/src/quadtree/processor.rs:80
-    wire u_set_up_packets_ready;                                 // rtl/src/quadtree/processor.rs:80
-    wire u_raster_parts_valid;                                   // rtl/src/quadtree/processor.rs:83
-    wire [2:0] u_raster_parts_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:83
-    wire [50:0] u_raster_parts_polygon_step_x;                   // rtl/src/quadtree/processor.rs:83
-    wire [50:0] u_raster_parts_polygon_step_y;                   // rtl/src/quadtree/processor.rs:83
-    wire [2:0] u_raster_parts_polygon_right;                     // rtl/src/quadtree/processor.rs:83
-    wire [2:0] u_raster_parts_polygon_lower;                     // rtl/src/quadtree/processor.rs:83
-    wire [159:0] u_raster_parts_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:83
-    wire [159:0] u_raster_parts_polygon_plane_y;                 // rtl/src/quadtree/processor.rs:83
-    wire [1:0] u_raster_parts_window_size;                       // rtl/src/quadtree/processor.rs:83
-    wire [1:0] u_raster_parts_window_x;                          // rtl/src/quadtree/processor.rs:83
-    wire [1:0] u_raster_parts_window_y;                          // rtl/src/quadtree/processor.rs:83
-    wire [95:0] u_raster_parts_window_edges;                     // rtl/src/quadtree/processor.rs:83
-    wire [12:0] u_raster_parts_window_bounds_left;               // rtl/src/quadtree/processor.rs:83
-    wire [12:0] u_raster_parts_window_bounds_top;                // rtl/src/quadtree/processor.rs:83
-    wire [12:0] u_raster_parts_window_bounds_right;              // rtl/src/quadtree/processor.rs:83
-    wire [12:0] u_raster_parts_window_bounds_bottom;             // rtl/src/quadtree/processor.rs:83
-    wire [159:0] u_raster_parts_window_planes;                   // rtl/src/quadtree/processor.rs:83
-    wire u_raster_idle;                                          // rtl/src/quadtree/processor.rs:83
-    wire u_raster_works_ready;                                   // rtl/src/quadtree/processor.rs:83
-    wire u_pixel_fragment_valid;                                 // rtl/src/quadtree/processor.rs:85
-    wire [1:0] u_pixel_fragment_x;                               // rtl/src/quadtree/processor.rs:85
-    wire [1:0] u_pixel_fragment_y;                               // rtl/src/quadtree/processor.rs:85
-    wire [47:0] u_pixel_fragment_word;                           // rtl/src/quadtree/processor.rs:85
-    wire u_pixel_leaves_ready;                                   // rtl/src/quadtree/processor.rs:85
+    wire u_queue_out_valid;                                      // rtl/src/quadtree/processor.rs:84
+    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/processor.rs:84
+    wire u_set_up_roots_valid;                                   // rtl/src/quadtree/processor.rs:85
+    wire [2:0] u_set_up_roots_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:85
+    wire [50:0] u_set_up_roots_polygon_step_x;                   // rtl/src/quadtree/processor.rs:85
+    wire [50:0] u_set_up_roots_polygon_step_y;                   // rtl/src/quadtree/processor.rs:85
+    wire [2:0] u_set_up_roots_polygon_right;                     // rtl/src/quadtree/processor.rs:85
+    wire [2:0] u_set_up_roots_polygon_lower;                     // rtl/src/quadtree/processor.rs:85
+    wire [159:0] u_set_up_roots_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:85
+    wire [159:0] u_set_up_roots_polygon_plane_y;                 // rtl/src/quadtree/processor.rs:85
+    wire [1:0] u_set_up_roots_window_size;                       // rtl/src/quadtree/processor.rs:85
+    wire [1:0] u_set_up_roots_window_x;                          // rtl/src/quadtree/processor.rs:85
+    wire [1:0] u_set_up_roots_window_y;                          // rtl/src/quadtree/processor.rs:85
+    wire [95:0] u_set_up_roots_window_edges;                     // rtl/src/quadtree/processor.rs:85
+    wire [12:0] u_set_up_roots_window_bounds_left;               // rtl/src/quadtree/processor.rs:85
+    wire [12:0] u_set_up_roots_window_bounds_top;                // rtl/src/quadtree/processor.rs:85
+    wire [12:0] u_set_up_roots_window_bounds_right;              // rtl/src/quadtree/processor.rs:85
+    wire [12:0] u_set_up_roots_window_bounds_bottom;             // rtl/src/quadtree/processor.rs:85
+    wire [159:0] u_set_up_roots_window_planes;                   // rtl/src/quadtree/processor.rs:85
+    wire u_set_up_idle;                                          // rtl/src/quadtree/processor.rs:85
+    wire u_set_up_packets_ready;                                 // rtl/src/quadtree/processor.rs:85
+    wire u_raster_parts_valid;                                   // rtl/src/quadtree/processor.rs:88
+    wire [2:0] u_raster_parts_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:88
+    wire [50:0] u_raster_parts_polygon_step_x;                   // rtl/src/quadtree/processor.rs:88
+    wire [50:0] u_raster_parts_polygon_step_y;                   // rtl/src/quadtree/processor.rs:88
+    wire [2:0] u_raster_parts_polygon_right;                     // rtl/src/quadtree/processor.rs:88
+    wire [2:0] u_raster_parts_polygon_lower;                     // rtl/src/quadtree/processor.rs:88
+    wire [159:0] u_raster_parts_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:88
+    wire [159:0] u_raster_parts_polygon_plane_y;                 // rtl/src/quadtree/processor.rs:88
+    wire [1:0] u_raster_parts_window_size;                       // rtl/src/quadtree/processor.rs:88
+    wire [1:0] u_raster_parts_window_x;                          // rtl/src/quadtree/processor.rs:88
+    wire [1:0] u_raster_parts_window_y;                          // rtl/src/quadtree/processor.rs:88
+    wire [95:0] u_raster_parts_window_edges;                     // rtl/src/quadtree/processor.rs:88
+    wire [12:0] u_raster_parts_window_bounds_left;               // rtl/src/quadtree/processor.rs:88
+    wire [12:0] u_raster_parts_window_bounds_top;                // rtl/src/quadtree/processor.rs:88
+    wire [12:0] u_raster_parts_window_bounds_right;              // rtl/src/quadtree/processor.rs:88
+    wire [12:0] u_raster_parts_window_bounds_bottom;             // rtl/src/quadtree/processor.rs:88
+    wire [159:0] u_raster_parts_window_planes;                   // rtl/src/quadtree/processor.rs:88
+    wire u_raster_idle;                                          // rtl/src/quadtree/processor.rs:88
+    wire u_raster_works_ready;                                   // rtl/src/quadtree/processor.rs:88
+    wire u_pixel_fragment_valid;                                 // rtl/src/quadtree/processor.rs:90
+    wire [1:0] u_pixel_fragment_x;                               // rtl/src/quadtree/processor.rs:90
+    wire [1:0] u_pixel_fragment_y;                               // rtl/src/quadtree/processor.rs:90
+    wire [47:0] u_pixel_fragment_word;                           // rtl/src/quadtree/processor.rs:90
+    wire u_pixel_leaves_ready;                                   // rtl/src/quadtree/processor.rs:90
 
-    wire idle_and = u_set_up_idle & u_raster_idle & !u_pixel_fragment_valid; // rtl/src/quadtree/processor.rs:92
-    assign idle = idle_and & !drawn;                             // rtl/src/quadtree/processor.rs:92
+    wire idle_and = u_set_up_idle & u_raster_idle & !u_pixel_fragment_valid; // rtl/src/quadtree/processor.rs:97
+    assign idle = idle_and & !drawn;                             // rtl/src/quadtree/processor.rs:97
 
-    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/processor.rs:79
+    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/processor.rs:84
         .clk          (clk),
         .rst          (rst),
         .into_valid   (packets_valid),
@@ -124,7 +124,7 @@ module video_processor_4b528d89 (
         .into_ready   (packets_ready)
     );
 
-    set_up_format8x8_2x2_edges3 u_set_up (                       // rtl/src/quadtree/processor.rs:80
+    set_up_format8x8_2x2_edges3 u_set_up (                       // rtl/src/quadtree/processor.rs:85
         .clk                        (clk),
         .rst                        (rst),
         .packets_valid              (u_queue_out_valid),
@@ -168,7 +168,7 @@ module video_processor_4b528d89 (
         .packets_ready              (u_set_up_packets_ready)
     );
 
-    raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 u_raster ( // rtl/src/quadtree/processor.rs:83
+    raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 u_raster ( // rtl/src/quadtree/processor.rs:88
         .clk                        (clk),
         .rst                        (rst),
         .works_valid                (u_set_up_roots_valid),
@@ -216,7 +216,7 @@ module video_processor_4b528d89 (
         .works_ready                (u_raster_works_ready)
     );
 
-    pixel_processor_format8x8_2x2_edges3 u_pixel (               // rtl/src/quadtree/processor.rs:85
+    pixel_processor_format8x8_2x2_edges3 u_pixel (               // rtl/src/quadtree/processor.rs:90
         .clk                         (clk),
         .rst                         (rst),
         .leaves_valid                (u_raster_parts_valid),
@@ -244,7 +244,7 @@ module video_processor_4b528d89 (
         .leaves_ready                (u_pixel_leaves_ready)
     );
 
-    video_buffer_format8x8_2x2_edges3 u_buffer (                 // rtl/src/quadtree/processor.rs:87
+    video_buffer_format8x8_2x2_edges3 u_buffer (                 // rtl/src/quadtree/processor.rs:92
         .clk         (clk),
         .rst         (rst),
         .draw_valid  (u_pixel_fragment_valid),

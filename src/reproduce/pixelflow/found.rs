@@ -116,7 +116,7 @@ impl Composed {
     pub const ALL: [[u32; 2]; 3] = [[1, 1], [1, Software::APPEARANCE], [40, Software::PLAIN]];
 
     fn of([words, bytes]: [u32; 2]) -> Result<Composed, Failure> {
-        let port = PixelArray::new(128, 64).map_err(Error::from)?.network_port();
+        let port = PixelArray { width: 128, height: 64 }.network_port();
         let ticks = composition_time(20, port, words.into(), bytes.into())?;
         Ok(Composed { words, bytes, ticks })
     }

@@ -57,7 +57,7 @@ fn a_model_that_is_wrong_by_a_clock_is_found() {
 fn changes_after(rest: u64, quadratic: bool, coefficient: u64) -> usize {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("rest.vcd");
-    let renderer = Renderer::new(16, 8).expect("it can be built").quadratic(quadratic);
+    let renderer = Renderer { side: 16, queue: 8, quadratic };
     let mut sim = Simulation::at(&renderer, PERIOD).expect("it can be built");
     sim.try_reset().expect("no assertion");
     sim.set(sim.i.side_by_side, true);

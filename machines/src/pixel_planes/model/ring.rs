@@ -35,9 +35,9 @@ impl Ring {
     pub fn new(ring: &hardware::Ring, renderers: usize) -> Ring {
         Ring {
             renderers,
-            rate: ring.rate().into(),
+            rate: ring.rate.into(),
             most_credit: ring.most_credit().into(),
-            bits: [hardware::Ring::INSTRUCTION.into(), ring.plane().into()],
+            bits: [hardware::Ring::INSTRUCTION.into(), ring.side.into()],
             credit: ring.most_credit().into(),
             at: 0,
             last: 2 * renderers - 1,
@@ -45,7 +45,7 @@ impl Ring {
             asking: 0,
             open: 0,
             later: BinaryHeap::new(),
-            timing: RingTiming { rate: ring.rate().into(), ..RingTiming::default() },
+            timing: RingTiming { rate: ring.rate.into(), ..RingTiming::default() },
         }
     }
 

@@ -61,8 +61,8 @@ fn idle(timing: &RendererTiming) -> Vec<u64> {
 fn simulate(config: &Config, regions: &[Vec<Instruction<u64>>]) -> Handshakes {
     let Config { renderers, side, queue, .. } = *config;
     let screen = Screen::new(side * regions.len() as u32, side).unwrap();
-    let machine = PixelPlanes5::new(screen, renderers, side, queue, config.ring().unwrap().rate()).unwrap();
-    let machine = machine.quadratic(config.quadratic);
+    let (rate, quadratic) = (config.ring().unwrap().rate, config.quadratic);
+    let machine = PixelPlanes5 { screen, renderers, side, queue, rate, quadratic };
     let mut sim = Simulation::of(&machine).unwrap();
     sim.reset();
     let count = renderers as usize;

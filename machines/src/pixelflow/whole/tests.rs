@@ -72,7 +72,8 @@ struct Choice {
 
 /// Compares model, hardware and the golden image.
 fn check(choice: Choice, size: Size, works: &Works, golden: &tilewright_scenes::Frame) -> Result<(), TestCaseError> {
-    let array = PixelArray::new(choice.array[0], choice.array[1]).unwrap();
+    let [width, height] = choice.array;
+    let array = PixelArray { width, height };
     let built = Built {
         array: &array,
         shaders: if works.is_shaded() { choice.shaders as usize } else { 0 },

@@ -63,13 +63,14 @@ const PACKETS_AT_ONCE: usize = 256;
 /// use tilewright_machines::{Watch, quadtree::{Rectangles, model::{Model, Packets}}};
 /// use tilewright_rtl::parameter::Screen;
 /// use tilewright_rtl::quadtree::{coverage_test::Test, format::{Format, Matrix}};
-/// use tilewright_rtl::quadtree::{generator::QuadtreeGenerator, processor::Queues, raster::Form};
+/// use tilewright_rtl::quadtree::{generator::QuadtreeGenerator, processor::{Queues, VideoProcessor}, raster::Form};
 /// use tilewright_scenes::Size;
 ///
 /// let format = Format::new(Screen::new(1024, 1024)?, Matrix::new(4, 4)?, 4)?.with_aperture(2)?;
 /// let queues = Queues { broadcast: 2, packets: 16, windows: 4 };
 /// let form = Form::parse("pipe", &format)?;
-/// let model = Model::new(&QuadtreeGenerator::new(format, form, Test::Serial, queues)?)?;
+/// let video_processor = VideoProcessor { format, form, test: Test::Serial, queues };
+/// let model = Model::new(&QuadtreeGenerator { video_processor })?;
 ///
 /// let rectangles = Rectangles::new(Size::new(1024, 1024)?, 100.0, 5.0, 1)?;
 /// let polygons: Vec<_> = (0..50).map(|index| rectangles.polygon(index)).collect();
@@ -93,7 +94,7 @@ impl Model {
     /// # Errors
     /// Its windows are too large for counting, as in [`Rasters::check`].
     pub fn new(generator: &QuadtreeGenerator) -> Result<Model, ParameterError> {
-        let processor = generator.processor();
+        let processor = &generator.video_processor;
         let search = Search::new(rasters_of(&generator.format()))?;
         Ok(Model { search, form: processor.form.clone(), test: processor.test, queues: processor.queues })
     }
@@ -109,13 +110,14 @@ impl Model {
     /// use tilewright_machines::{Watch, quadtree::model::{Model, Packets}};
     /// use tilewright_rtl::parameter::Screen;
     /// use tilewright_rtl::quadtree::{coverage_test::Test, format::{Format, Matrix}};
-    /// use tilewright_rtl::quadtree::{generator::QuadtreeGenerator, processor::Queues, raster::Form};
+    /// use tilewright_rtl::quadtree::{generator::QuadtreeGenerator, processor::{Queues, VideoProcessor}, raster::Form};
     /// use tilewright_scenes::{ScreenVertex, Size, set_up};
     ///
     /// let format = Format::new(Screen::new(2, 2)?, Matrix::new(1, 1)?, 3)?;
     /// let queues = Queues { broadcast: 1, packets: 1, windows: 1 };
-    /// let stack = Form::parse("stack", &format)?;
-    /// let model = Model::new(&QuadtreeGenerator::new(format, stack, Test::Serial, queues)?)?;
+    /// let form = Form::parse("stack", &format)?;
+    /// let video_processor = VideoProcessor { format, form, test: Test::Serial, queues };
+    /// let model = Model::new(&QuadtreeGenerator { video_processor })?;
     ///
     /// // A triangle that covers the upper left pixel.
     /// let at = |x: i32, y: i32| ScreenVertex { x: 16 * x, y: 16 * y, z: 1, rgb: [0; 3] };

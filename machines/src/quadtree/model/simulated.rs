@@ -17,13 +17,13 @@ const PHASE: &str = "simulating";
 /// use tilewright_machines::{Watch, quadtree::{Rectangles, model::{Model, Packets, Simulated}}};
 /// use tilewright_rtl::parameter::Screen;
 /// use tilewright_rtl::quadtree::{coverage_test::Test, format::{Format, Matrix}};
-/// use tilewright_rtl::quadtree::{generator::QuadtreeGenerator, processor::Queues, raster::Form};
+/// use tilewright_rtl::quadtree::{generator::QuadtreeGenerator, processor::{Queues, VideoProcessor}, raster::Form};
 /// use tilewright_scenes::Size;
 ///
 /// let format = Format::new(Screen::new(32, 32)?, Matrix::new(2, 1)?, 4)?;
 /// let queues = Queues { broadcast: 1, packets: 2, windows: 2 };
-/// let pipe = Form::parse("pipe", &format)?;
-/// let generator = QuadtreeGenerator::new(format, pipe, Test::Serial, queues)?;
+/// let form = Form::parse("pipe", &format)?;
+/// let generator = QuadtreeGenerator { video_processor: VideoProcessor { format, form, test: Test::Serial, queues } };
 ///
 /// let rectangles = Rectangles::new(Size::new(32, 32)?, 30.0, 5.0, 1)?;
 /// let polygons: Vec<_> = (0..10).map(|index| rectangles.polygon(index)).collect();

@@ -4,7 +4,7 @@ use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_rtl::quadtree::format::{Format, Matrix};
 use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
-use tilewright_rtl::quadtree::processor::Queues;
+use tilewright_rtl::quadtree::processor::{Queues, VideoProcessor};
 use tilewright_rtl::quadtree::raster::Form;
 
 /// Edges of a rectangle, ke. A serial test takes this number of clocks, the paper's t_e.
@@ -22,5 +22,6 @@ pub(super) fn square(
     let [side, processors] = [m, k].map(|power| 1_u32.checked_shl(power).unwrap_or(u32::MAX));
     let format = Format::new(Screen::new(side, side)?, Matrix::new(processors, processors)?, EDGES)?;
     let format = format.with_aperture(aperture)?;
-    QuadtreeGenerator::new(format, Form::parse(form, &format)?, Test::Serial, queues)
+    let form = Form::parse(form, &format)?;
+    Ok(QuadtreeGenerator { video_processor: VideoProcessor { format, form, test: Test::Serial, queues }.checked()? })
 }

@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use std::sync::atomic::AtomicBool;
 use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::quadtree::format;
+use tilewright_rtl::quadtree::processor::VideoProcessor;
 use tilewright_rtl::quadtree::raster::Part;
 use tilewright_scenes::{Polygon, ScreenVertex, Size, set_up_polygon_of_any_size};
 
@@ -68,7 +69,7 @@ fn generator(
     let matrix = format::Matrix::new(p, q).expect("powers of two");
     let format = Format::new(screen, matrix, edges).expect("3 to 8 edges").with_aperture(aperture).expect("even");
     let form = Form::parse(form, &format).expect("all levels are divided");
-    QuadtreeGenerator::new(format, form, Test::Serial, queues).expect("possible")
+    QuadtreeGenerator { video_processor: VideoProcessor { format, form, test: Test::Serial, queues } }
 }
 
 fn generators() -> impl Strategy<Value = (QuadtreeGenerator, Size)> {
@@ -83,7 +84,8 @@ fn generators() -> impl Strategy<Value = (QuadtreeGenerator, Size)> {
             let format = format.with_aperture(2 * aperture).expect("even");
             let test = if is_serial { Test::Serial } else { Test::Parallel };
             let queues = Queues { broadcast, packets, windows };
-            let generator = QuadtreeGenerator::new(format, form_of(&parts, &format), test, queues).expect("possible");
+            let form = form_of(&parts, &format);
+            let generator = QuadtreeGenerator { video_processor: VideoProcessor { format, form, test, queues } };
             (generator, Size::new(width, height).expect("in range"))
         },
     )

@@ -44,7 +44,7 @@ fn clocks(instruction: &Instruction<u64>) -> u64 {
 }
 
 pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
-    let side = renderer.side();
+    let side = renderer.side;
     let triangle = smooth_least(side, &triangle(side), &surface());
     drawn(
         renderer,
@@ -54,7 +54,7 @@ pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
 }
 
 pub(super) fn a_sphere(renderer: &Renderer) -> Scenario {
-    let side = i64::from(renderer.side());
+    let side = i64::from(renderer.side);
     let inside = Quadratic { a: 0, b: 0, c: 9 * side * side / 64, d: -1, e: 0, f: -1 };
     // A plane with the value `edge` at the silhouette, and `edge + more` in the middle.
     let over = |edge: i64, more: i64| {
@@ -63,19 +63,19 @@ pub(super) fn a_sphere(renderer: &Renderer) -> Scenario {
         over.moved([-side / 2, -side / 2])
     };
     let surface = Surface { z: over(1000, -500), rgb: [over(0x40, 0x80), over(0x40, 0xb0), over(0x40, 0)] };
-    let sphere = SMOOTH_LEAST.draw_sphere(renderer.side(), &inside.moved([-side / 2, -side / 2]), &surface);
+    let sphere = SMOOTH_LEAST.draw_sphere(renderer.side, &inside.moved([-side / 2, -side / 2]), &surface);
     drawn(renderer, &sphere, "a region is cleared, a sphere is drawn in it, and the region is saved and sent")
 }
 
 /// A region that is cleared, drawn with these instructions, and saved.
 fn drawn(renderer: &Renderer, primitive: &[Instruction<u64>], says: &'static str) -> Scenario {
-    let side = renderer.side();
+    let side = renderer.side;
     let program = [&clear(0x10_20_30), primitive, &save(3)].concat();
     let instructions =
         |valid, instruction| RendererIn { instructions: Stream::of(valid, instruction), side_by_side: 1 };
     let mut script = Script::new(renderer, PERIOD);
     script.ready("planes", true);
-    let fits = program.len() <= renderer.queue() as usize;
+    let fits = program.len() <= renderer.queue as usize;
     for &instruction in &program {
         script.clock(&instructions(1, instruction));
         if !fits {
@@ -90,9 +90,9 @@ fn drawn(renderer: &Renderer, primitive: &[Instruction<u64>], says: &'static str
 }
 
 pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {
-    let renderers = machine.renderers();
+    let renderers = machine.renderers;
     let frame_buffer = machine.frame_buffer();
-    let (side, count) = (frame_buffer.side(), frame_buffer.regions().min(4));
+    let (side, count) = (frame_buffer.side, frame_buffer.regions().min(4));
     let inputs = |region: Option<u32>, open: u64, sent: Option<(u32, Instruction<u64>)>| PixelPlanes5In {
         regions: Stream::of(region.is_some().into(), region.unwrap_or(0).into()),
         bins: (0..renderers)
@@ -287,11 +287,11 @@ pub(super) fn two_lines(frame: &FrameBuffer) -> Scenario {
         planes: Stream::of(0, BitPlane { region: 0, line: 0, plane: 0, bits: 0 }),
         read: ReadLine { enable: 0, region: 0, line: 0 },
     };
-    let last = u64::from(frame.side() - 1);
+    let last = u64::from(frame.side - 1);
     for (line, word) in [(0, 0x1234u64), (last, 0x8000_0000_0001)] {
         for plane in 0..u64::from(WORD.bits) {
             // The same word at all pixels of the line, or at the first 64 of them.
-            let bits = if word >> plane & 1 == 1 { u64::MAX >> (64 - frame.side().min(64)) } else { 0 };
+            let bits = if word >> plane & 1 == 1 { u64::MAX >> (64 - frame.side.min(64)) } else { 0 };
             let planes = Stream::of(1, BitPlane { region: 0, line, plane, bits });
             script.clock(&FrameBufferIn { planes, ..quiet });
         }

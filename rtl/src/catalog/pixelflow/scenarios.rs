@@ -257,7 +257,7 @@ pub(super) fn loaded_and_forwarded(sequencer: &NetworkSequencer) -> Scenario {
 
 pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
     let program = depth_inside_an_edge();
-    let written = program.len().min(node.words() as usize);
+    let written = program.len().min(node.words as usize);
     let no_job = Job { mode: Mode::Load.code(), bank: 0, bytes: 2 };
     let direction = |job: u64| DirectionIn {
         jobs: Stream::of(job, no_job),
@@ -282,8 +282,8 @@ pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
     script.in_clocks_of(TRANSFER);
     script.clock(&NodeIn { network: vec![direction(1), direction(0)], ..quiet.clone() });
     script.clock(&quiet);
-    let array = program.iter().map(Instruction::clocks).sum::<u64>() + u64::from(node.array().latency()) + 10;
-    let network = u64::from(node.setup() + 2 * node.port().pixels) + 10;
+    let array = program.iter().map(Instruction::clocks).sum::<u64>() + u64::from(node.array.latency()) + 10;
+    let network = u64::from(node.setup + 2 * node.port().pixels) + 10;
     script.wait(2 * array + network);
     script.finish(
         "instructions are written and fetched; a word is drawn, and its bank is given to the network, which sends it",
@@ -291,9 +291,9 @@ pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
 }
 
 pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
-    let (node, nodes) = (machine.node(), machine.nodes());
+    let (node, nodes) = (&machine.node, machine.nodes);
     let program = depth_inside_an_edge();
-    let written = program.len().min(node.words() as usize);
+    let written = program.len().min(node.words as usize);
     let job = |shown: u64, number: u32| {
         let mode = match number {
             0 => Mode::Load,
@@ -322,8 +322,8 @@ pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
     script.in_clocks_of(TRANSFER);
     script.clock(&inputs(none, 0, 1));
     script.clock(&inputs(none, 0, 0));
-    let array = program.iter().map(Instruction::clocks).sum::<u64>() + u64::from(node.array().latency()) + 10;
-    let network = u64::from(node.setup() + 2 * node.port().pixels + nodes) + 10;
+    let array = program.iter().map(Instruction::clocks).sum::<u64>() + u64::from(node.array.latency()) + 10;
+    let network = u64::from(node.setup + 2 * node.port().pixels + nodes) + 10;
     script.wait(2 * array + network);
     script.finish(
         "all nodes draw a word; the first one sends its own, those after it compose, and the last one keeps the result",

@@ -193,7 +193,7 @@ pub(super) fn draw_and_show(generator: &QuadtreeGenerator) -> Scenario {
         column: number % matrix.columns(),
         row: number / matrix.columns(),
     });
-    let clocks = rasters.map(|raster| raster.clocks(&polygon(&format), generator.processor().test));
+    let clocks = rasters.map(|raster| raster.clocks(&polygon(&format), generator.video_processor.test));
     let drawn = clocks.max().expect("a processor at least");
     let show = |start| Show { start: Bits::new(1, start), clear: yes(), background: Bits::new(24, 0x10_20_30) };
     let mut script = Script::new(generator, DEFAULT_PERIOD);

@@ -42,7 +42,7 @@ fn read(sim: &mut Frame, region: u32, line: u32) -> Vec<u64> {
 
 #[test]
 fn a_line_is_written_with_its_last_plane() {
-    let mut sim = started(&FrameBuffer::new(Screen { width: 4, height: 2 }, 2).unwrap());
+    let mut sim = started(&FrameBuffer { screen: Screen { width: 4, height: 2 }, side: 2 });
     send(&mut sim, 1, 0, &[7, 9], 0..48);
     send(&mut sim, 1, 1, &[1 << 47, 3], 0..48);
     let (first, second) = ([7, 9], [6, 1 << 46]);
@@ -57,7 +57,7 @@ fn a_line_is_written_with_its_last_plane() {
 #[test]
 #[should_panic(expected = "the planes of a line arrive in sequence")]
 fn a_plane_that_is_left_out_is_an_error() {
-    let mut sim = started(&FrameBuffer::new(Screen { width: 4, height: 2 }, 2).unwrap());
+    let mut sim = started(&FrameBuffer { screen: Screen { width: 4, height: 2 }, side: 2 });
     sim.set(sim.i.planes.valid, 1);
     sim.run(2);
 }
@@ -65,16 +65,20 @@ fn a_plane_that_is_left_out_is_an_error() {
 #[test]
 #[should_panic(expected = "the region belongs to the screen")]
 fn a_region_that_is_beyond_the_screen_is_an_error() {
-    let mut sim = started(&FrameBuffer::new(Screen { width: 4, height: 2 }, 2).unwrap());
+    let mut sim = started(&FrameBuffer { screen: Screen { width: 4, height: 2 }, side: 2 });
     send(&mut sim, 2, 0, &[7, 9], 0..48);
 }
 
 #[test]
 fn there_are_numbers_for_65536_regions() {
     let screen = Screen { width: 2048, height: 2048 };
-    assert_eq!(FrameBuffer::new(screen, 8).unwrap().regions(), 65_536);
-    let complaint = FrameBuffer::new(screen, 4).unwrap_err().to_string();
-    assert_eq!(complaint, "a screen of 262144 regions: at most 65536 can be numbered; choose larger regions");
+    let of = |side| FrameBuffer { screen, side }.checked();
+    assert_eq!(of(8).unwrap().regions(), 65_536);
+    let sentence = "it has to be a power of two, from 8 to 256. The regions of a screen have numbers of 16 bits.";
+    for side in [0, 4, 12, 512] {
+        assert_eq!(of(side).unwrap_err().to_string(), format!("`side` of `FrameBuffer` is {side}: {sentence}"));
+    }
+    assert!(FrameBuffer { screen: Screen { width: 512, height: 512 }, side: 2 }.checked().is_ok());
 }
 
 proptest! {
@@ -86,7 +90,7 @@ proptest! {
         order in any::<u64>(),
     ) {
         const SIDE: u32 = 8;
-        let frame = FrameBuffer::new(Screen { width, height }, SIDE).unwrap();
+        let frame = FrameBuffer { screen: Screen { width, height }, side: SIDE };
         let mut sim = started(&frame);
         // Lines of all regions, mixed up; each word encodes its pixel's position.
         let mut lines: Vec<(u32, u32)> = (0..frame.regions()).flat_map(|region| (0..SIDE).map(move |line| (region, line))).collect();

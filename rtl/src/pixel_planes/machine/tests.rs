@@ -32,7 +32,7 @@ fn draw(
         side_by_side: side_by_side.into(),
         read: ReadLine { enable: 0, region: 0, line: 0 },
     };
-    let mut bins = vec![VecDeque::new(); machine.renderers() as usize];
+    let mut bins = vec![VecDeque::new(); machine.renderers as usize];
     let (mut given, mut planes) = (0, 0);
     while planes < regions.len() * (48 * SIDE) as usize {
         assert!(sim.time() < 1_000_000_000, "the machine hangs");
@@ -75,7 +75,7 @@ proptest! {
         side_by_side in any::<bool>(),
     ) {
         let screen = Screen::new(SIDE * regions.len() as u32, SIDE).unwrap();
-        let machine = PixelPlanes5::new(screen, renderers, SIDE, queue, rate).unwrap().quadratic(quadratic);
+        let machine = PixelPlanes5 { screen, renderers, side: SIDE, queue, rate, quadratic };
         let regions: Vec<Vec<_>> = regions.iter().map(|drawings| drawings.concat()).collect();
         let mut sim = draw(&machine, &regions, side_by_side);
         for (number, region) in (0u64..).zip(&regions) {

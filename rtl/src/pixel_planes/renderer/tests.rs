@@ -34,7 +34,7 @@ fn manners() -> impl Strategy<Value = Manner> {
 
 /// Runs instructions in a renderer; returns the regions that it sends, each with its pixels' words line by line.
 fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u64, Vec<u64>)> {
-    let renderer = Renderer::new(side, manner.queue).unwrap().quadratic(manner.quadratic);
+    let renderer = Renderer { side, queue: manner.queue, quadratic: manner.quadratic };
     let mut sim = Simulation::of(&renderer).unwrap().seeded(manner.seed);
     sim.reset();
     sim.set(sim.i.side_by_side, u64::from(manner.side_by_side));
@@ -260,7 +260,7 @@ fn the_array_never_waits_while_the_queue_has_instructions() {
     let surface = Surface::of_one_colour(edge(1 << 16, 0, 1000 << 16), 0xff);
     let program = FLAT_STRICT.draw(8, Edges::Own, &edges, &surface);
     let clocks = |primitives: usize, side_by_side: u64| {
-        let mut sim = Simulation::at(&Renderer::new(8, 6).unwrap(), PERIOD).unwrap();
+        let mut sim = Simulation::at(&Renderer { side: 8, queue: 6, quadratic: false }, PERIOD).unwrap();
         sim.reset();
         sim.set(sim.i.side_by_side, side_by_side);
         let start = sim.time();
@@ -287,7 +287,7 @@ fn the_array_never_waits_while_the_queue_has_instructions() {
 /// Facts E3: the next region is drawn while one is sent, S bits a clock; only its save waits.
 #[test]
 fn a_region_is_sent_in_48_clocks_a_line_while_the_next_is_drawn() {
-    let mut sim = Simulation::at(&Renderer::new(8, 4).unwrap(), PERIOD).unwrap();
+    let mut sim = Simulation::at(&Renderer { side: 8, queue: 4, quadratic: false }, PERIOD).unwrap();
     sim.reset();
     let (i, o) = (sim.i, sim.o);
     sim.set(i.side_by_side, 1);
@@ -318,15 +318,15 @@ fn a_region_is_sent_in_48_clocks_a_line_while_the_next_is_drawn() {
 
 #[test]
 fn there_is_no_renderer_of_any_other_side() {
-    let complaint = |side, queue| Renderer::new(side, queue).unwrap_err().to_string();
+    let complaint = |side, queue| Renderer { side, queue, quadratic: false }.checked().unwrap_err().to_string();
     for side in [0, 1, 12, 512] {
-        let sentence = format!("a region of {side} x {side} pixels: its side has to be a power of two from 2 to 256");
+        let sentence = format!("`side` of `Renderer` is {side}: it has to be a power of two, from 2 to 256");
         assert_eq!(complaint(side, 8), sentence);
     }
-    assert_eq!(complaint(8, 0), "a queue of 0 instructions: it has to hold from 1 to 4096");
+    assert_eq!(complaint(8, 0), "`queue` of `Renderer` is 0: it has to be from 1 to 4096");
     for side in (1..9).map(|level| 1 << level) {
         for quadratic in [false, true] {
-            let renderer = Renderer::new(side, 8).unwrap().quadratic(quadratic);
+            let renderer = Renderer { side, queue: 8, quadratic };
             assert_eq!(elaborate(&renderer).unwrap().modules().len(), 6);
         }
     }

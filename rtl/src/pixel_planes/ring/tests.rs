@@ -62,7 +62,7 @@ impl Plain {
             if !wants {
                 continue;
             }
-            let bits = if plane.is_some() { self.ring.plane() } else { Ring::INSTRUCTION };
+            let bits = if plane.is_some() { self.ring.side } else { Ring::INSTRUCTION };
             if self.credit < bits {
                 break;
             }
@@ -75,7 +75,7 @@ impl Plain {
             }
         }
         (self.last, self.line_of) = (goes.last().copied().or(self.last), line_of);
-        self.credit = (self.credit + self.ring.rate()).min(self.ring.most_credit());
+        self.credit = (self.credit + self.ring.rate).min(self.ring.most_credit());
         goes
     }
 }
@@ -111,7 +111,7 @@ fn an_instruction_has_as_many_bits_as_its_fields() {
 
 #[test]
 fn all_take_turns_as_long_as_the_credit_lasts() {
-    let ring = Ring::new(2, 8, 80).unwrap();
+    let ring = Ring { renderers: 2, side: 8, rate: 80 };
     let mut sim = started(&ring);
     let wave = sim.record([
         "room[0]",
@@ -145,7 +145,7 @@ fn all_take_turns_as_long_as_the_credit_lasts() {
 
 #[test]
 fn the_planes_of_a_line_stay_together() {
-    let mut sim = started(&Ring::new(3, 8, 1000).unwrap());
+    let mut sim = started(&Ring { renderers: 3, side: 8, rate: 1000 });
     let mut next = [[7, 44], [8, 46], [9, 47]];
     let mut seen = Vec::new();
     for _ in 0..10 {
@@ -164,7 +164,7 @@ fn the_planes_of_a_line_stay_together() {
 #[test]
 fn what_goes_has_to_be_taken_and_only_that() {
     for slow in 0..3 {
-        let mut sim = started(&Ring::new(2, 8, 1000).unwrap());
+        let mut sim = started(&Ring { renderers: 2, side: 8, rate: 1000 });
         let mut waiting = Waiting { bins: vec![None; 2], room: vec![true; 2], finished: vec![None; 2] };
         let mut ready = [sim.o.instructions[0].ready, sim.o.instructions[1].ready, sim.o.planes.ready].into_iter();
         sim.set(ready.nth(slow).unwrap(), 0);
@@ -195,7 +195,8 @@ fn a_rate_has_to_be_a_number_of_bits_in_each_clock() {
     assert!(complaint(0).starts_with("a ring of 0 Mbit/s"));
     assert!(complaint(327_720).ends_with("from 40 to 327680"));
     assert_eq!([40, 5000, 327_680].map(|megabits| Ring::bits_a_clock(megabits).unwrap()), [1, 125, 8192]);
-    assert!(Ring::new(0, 8, 1).is_err() && Ring::new(1, 9, 1).is_err() && Ring::new(1, 8, 8193).is_err());
+    let is_refused = |renderers, side, rate| Ring { renderers, side, rate }.checked().is_err();
+    assert!(!is_refused(1, 8, 8192) && is_refused(0, 8, 1) && is_refused(1, 9, 1) && is_refused(1, 8, 8193));
 }
 
 proptest! {
@@ -209,7 +210,7 @@ proptest! {
         seed in any::<u64>(),
         percent in prop::array::uniform3(20..100u64),
     ) {
-        let ring = Ring::new(renderers, side, rate).unwrap();
+        let ring = Ring { renderers, side, rate };
         let mut sim = started(&ring);
         let mut plain = Plain::new(&ring);
         let count = renderers as usize;

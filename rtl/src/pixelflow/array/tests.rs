@@ -46,7 +46,7 @@ fn run(sim: &mut Array, array: &PixelArray, program: &[Instruction<u64>], pauses
 fn held(sim: &mut Array, array: &PixelArray, x: u32, y: u32) -> Pixel {
     let mut pixel = Pixel::new();
     // A row for each chip, which has two lines.
-    let place = format!("[{}][{}]", y / 2, y % 2 * array.width() + x);
+    let place = format!("[{}][{}]", y / 2, y % 2 * array.width + x);
     let name = |what: &str| format!("u_pixel{place}.{what}");
     let number = |sim: &mut Array, what: &str| sim.peek(&name(what)).unwrap().to_u64().unwrap();
     let byte = |sim: &Array, memory: &str, at: u64| sim.peek_memory(memory, at as u32).unwrap().to_u64().unwrap();
@@ -75,7 +75,7 @@ proptest! {
         pauses in prop::collection::vec(prop_oneof![4 => Just(0u32), 1 => 0..9u32], 1..8),
     ) {
         let [width, height] = extents.map(|extent| 1 << extent);
-        let array = PixelArray::new(width, height).unwrap();
+        let array = PixelArray { width, height };
         let mut sim = started(&array, side_by_side);
         run(&mut sim, &array, &program, &pauses);
         for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
@@ -92,7 +92,7 @@ proptest! {
 #[ignore = "it measures"]
 fn nanoseconds_of_the_machine_s_array() {
     const CLOCKS: u64 = 20_000;
-    let array = PixelArray::new(128, 64).unwrap();
+    let array = PixelArray { width: 128, height: 64 };
     let word =
         Instruction { mask: Mask::Everybody.code(), stores: 1, length: 8, read: 8, write: 40, ..Instruction::NOTHING };
     let (expression, constant) = (Source::Expression.code(), Source::Constant.code());

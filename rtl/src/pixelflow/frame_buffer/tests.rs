@@ -37,7 +37,7 @@ struct Registers<'a> {
 impl Registers<'_> {
     /// A byte of each chip.
     fn seen(&self, pixel: u64, address: u64) -> Vec<u64> {
-        let FrameBuffer { array: [width, height], samples, .. } = *self.buffer;
+        let FrameBuffer { columns: width, rows: height, samples, .. } = *self.buffer;
         let [across, _] = self.buffer.regions();
         let (left, top) = (self.region % across * width, self.region / across * height);
         let (x, line) = (pixel as u32 % width, pixel as u32 / width);
@@ -111,7 +111,7 @@ impl<'a> Loaded<'a> {
 /// PFL-LOAD: the paper says 52 us.
 #[test]
 fn a_region_of_8192_pixels_takes_41_12_us() {
-    let buffer = FrameBuffer::new([128, 64], Screen { width: 640, height: 512 }).unwrap();
+    let buffer = FrameBuffer { columns: 128, rows: 64, samples: 1, screen: Screen { width: 640, height: 512 } };
     let mut loaded = Loaded::new(&buffer);
     loaded.load();
     loaded.load();
@@ -121,7 +121,7 @@ fn a_region_of_8192_pixels_takes_41_12_us() {
 
 #[test]
 fn a_region_of_eight_samples_takes_15_6_us() {
-    let buffer = FrameBuffer::of_eight_samples([128, 64], Screen { width: 640, height: 512 }).unwrap();
+    let buffer = FrameBuffer { columns: 128, rows: 64, samples: 8, screen: Screen { width: 640, height: 512 } };
     let mut loaded = Loaded::new(&buffer);
     loaded.load();
     loaded.load();
@@ -130,7 +130,7 @@ fn a_region_of_eight_samples_takes_15_6_us() {
 
 #[test]
 fn both_colours_of_four_samples_are_summed() {
-    let buffer = FrameBuffer::of_eight_samples([8, 8], Screen { width: 4, height: 4 }).unwrap();
+    let buffer = FrameBuffer { columns: 8, rows: 8, samples: 8, screen: Screen { width: 4, height: 4 } };
     let mut loaded = Loaded::new(&buffer);
     let wave = loaded.sim.record(["clock", "sample", "port_pixel", "port_address", "sum[0]"]);
     (0..26).for_each(|clock| {
@@ -157,7 +157,7 @@ fn both_colours_of_four_samples_are_summed() {
 
 #[test]
 fn a_pixel_is_shown_every_clock() {
-    let buffer = FrameBuffer::new([2, 4], Screen { width: 2, height: 2 }).unwrap();
+    let buffer = FrameBuffer { columns: 2, rows: 4, samples: 1, screen: Screen { width: 2, height: 2 } };
     let mut loaded = Loaded::new(&buffer);
     let wave = loaded.sim.record([
         "clock",
@@ -206,10 +206,9 @@ proptest! {
         (percent, takes) in (0..60_u64, any::<u64>()),
         has_eight in any::<bool>(),
     ) {
-        let of = if has_eight { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
-        let least = if has_eight { 3 } else { 1 };
-        let array = [1 << width.max(least), 1 << height.max(least)];
-        let buffer = of(array, Screen { width: screen[0], height: screen[1] }).unwrap();
+        let (samples, least) = if has_eight { (FrameBuffer::EIGHT, 3) } else { (1, 1) };
+        let [columns, rows] = [1 << width.max(least), 1 << height.max(least)];
+        let buffer = FrameBuffer { columns, rows, samples, screen: Screen { width: screen[0], height: screen[1] } };
         let mut loaded = Loaded::new(&buffer);
         let mut pauses = Pauses::percent(percent, takes);
         let mut pause = 0;
@@ -258,4 +257,17 @@ fn expect_frames(buffer: &FrameBuffer, shown: &[((u64, bool, bool), u64)]) -> Re
         }
     }
     Ok(())
+}
+
+#[test]
+fn a_frame_buffer_takes_arrays_that_have_its_samples() {
+    let screen = Screen { width: 16, height: 8 };
+    let of = |columns, rows, samples| FrameBuffer { columns, rows, samples, screen }.checked();
+    assert!(of(2, 4, 1).is_ok() && of(8, 8, 8).is_ok());
+    let complaint = |columns, rows, samples| of(columns, rows, samples).unwrap_err().to_string();
+    assert_eq!(complaint(2, 4, 2), "`samples` of `FrameBuffer` is 2: it has to be 1 or 8");
+    let columns = "`columns` of `FrameBuffer` is 4: it has to be a power of two, from 8 to 256";
+    assert_eq!(complaint(4, 8, 8), columns);
+    let rows = "`rows` of `FrameBuffer` is 2: it has to be a power of two, from 4 to 256. There is a memory";
+    assert!(complaint(2, 2, 1).starts_with(rows));
 }

@@ -6,6 +6,7 @@ use std::collections::VecDeque;
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
+use super::super::array::PixelArray;
 use super::super::compositor::Mode;
 use super::super::instruction::{Instruction, Sync};
 use super::super::pixel::{Function, Mask, Source};
@@ -13,6 +14,10 @@ use super::*;
 
 type Program = Vec<Instruction<u64>>;
 type Jobs = [VecDeque<Job<u64>>; 2];
+
+fn machine(nodes: u32, [width, height]: [u32; 2], words: u32, setup: u32) -> PixelFlow {
+    PixelFlow { nodes, node: Node { array: PixelArray { width, height }, words, setup } }
+}
 
 /// A machine whose nodes have started their programs, and the jobs that are still to come.
 struct Host {
@@ -169,7 +174,7 @@ proptest! {
     ) {
         let [width, height] = levels.map(|level| 1 << level);
         let (programs, jobs) = works(&words, shaders, bytes);
-        let machine = PixelFlow::new(programs.len() as u32, Node::new(width, height, 64, setup).unwrap()).unwrap();
+        let machine = machine(programs.len() as u32, [width, height], 64, setup);
         let mut host = Host::new(&machine, &programs, jobs);
         host.run();
         for region in 0..words[0].len() {
@@ -193,7 +198,7 @@ proptest! {
 fn a_byte_of_each_chip_passes_a_node_in_a_clock() {
     const SETUP: u64 = 3;
     let (programs, mut jobs) = works(&[vec![[1, 0, 0]], vec![[0, 1, 0]]], 1, 1);
-    let machine = PixelFlow::new(4, Node::new(2, 2, 16, SETUP as u32).unwrap()).unwrap();
+    let machine = machine(4, [2, 2], 16, SETUP as u32);
     // The bank of a second word is never given, so the word never starts.
     jobs[1][0].push_back(Job { mode: Mode::Load.code(), bank: 1, bytes: 1 });
     let mut host = Host::new(&machine, &programs, jobs);
@@ -222,7 +227,7 @@ fn a_byte_of_each_chip_passes_a_node_in_a_clock() {
 
 #[test]
 fn there_is_no_machine_of_one_node() {
-    let complaint = |nodes| PixelFlow::new(nodes, Node::new(2, 2, 1, 0).unwrap()).unwrap_err().to_string();
-    assert_eq!(complaint(1), "1 nodes: a machine has 2 to 64");
-    assert_eq!(complaint(65), "65 nodes: a machine has 2 to 64");
+    let complaint = |nodes| machine(nodes, [2, 2], 1, 0).checked().unwrap_err().to_string();
+    assert_eq!(complaint(1), "`nodes` of `PixelFlow` is 1: it has to be from 2 to 64");
+    assert_eq!(complaint(65), "`nodes` of `PixelFlow` is 65: it has to be from 2 to 64");
 }

@@ -10,6 +10,10 @@ use super::super::pixel::{Function, Mask, Source};
 use super::super::testing::{processor_time, triangle};
 use super::*;
 
+fn node(width: u32, height: u32, words: u32, setup: u32) -> Node {
+    Node { array: PixelArray { width, height }, words, setup }
+}
+
 /// A chain of nodes, with the jobs that are still to come.
 struct Line {
     node: Node,
@@ -68,7 +72,7 @@ impl Line {
             self.step();
         }
         // The last instructions end in the pixels.
-        (0..4 * self.node.array().latency()).for_each(|_| self.step());
+        (0..4 * self.node.array.latency()).for_each(|_| self.step());
     }
 
     fn is_idle(&mut self) -> bool {
@@ -82,7 +86,7 @@ impl Line {
     /// A word of `bytes` bytes in a pixel's memory.
     fn word(&self, node: usize, [x, y]: [u32; 2], address: u32, bytes: u32) -> u64 {
         let byte = |at: u32| {
-            let path = format!("u_array.u_pixel[{}][{}].memory", y / 2, y % 2 * self.node.array().width() + x);
+            let path = format!("u_array.u_pixel[{}][{}].memory", y / 2, y % 2 * self.node.array.width + x);
             self.sims[node].peek_memory(&path, address + at).unwrap().to_u64().unwrap()
         };
         (0..bytes).map(|at| byte(at) << (8 * at)).sum()
@@ -165,7 +169,7 @@ proptest! {
         }),
     ) {
         let [width, height] = levels.map(|level| 1 << level);
-        let node = Node::new(width, height, 64, setup).unwrap();
+        let node = node(width, height, 64, setup);
         let place = |number: usize| if direction == 0 { number } else { nodes - 1 - number };
         let mut programs = vec![Vec::new(); nodes];
         let mut jobs = vec![[VecDeque::new(), VecDeque::new()]; nodes];
@@ -205,7 +209,7 @@ proptest! {
 /// While one word goes from the first node to the last, another one goes back, from the other bank.
 #[test]
 fn words_go_both_ways_at_once() {
-    let node = Node::new(4, 4, 16, 0).unwrap();
+    let node = node(4, 4, 16, 0);
     let (forth, back) = ([3, 50, 0x1234], [7, 1, 0x0f0f]);
     let job = |mode: Mode, bank| VecDeque::from([Job { mode: mode.code(), bank, bytes: 2 }]);
     let both = |drawn_in: u64, word, taken_in: u64| {
@@ -231,11 +235,11 @@ fn words_go_both_ways_at_once() {
 
 #[test]
 fn there_is_no_node_of_any_other_size() {
-    let complaint = |width, height, words, setup| Node::new(width, height, words, setup).unwrap_err().to_string();
-    let sentence = "a region of 12 x 4 pixels: both have to be powers of two from 2 to 256";
-    assert_eq!(complaint(12, 4, 8, 0), sentence);
-    assert_eq!(complaint(4, 4, 0, 0), "a memory of 0 instructions: it has to hold from 1 to 1048576");
-    assert_eq!(complaint(4, 4, 8, 65_537), "a set-up of 65537 clocks: it has to be at most 65536");
+    let complaint = |words, setup| node(4, 4, words, setup).checked().unwrap_err().to_string();
+    assert_eq!(complaint(0, 0), "`words` of `Node` is 0: it has to be from 1 to 1048576");
+    assert_eq!(complaint(8, 65_537), "`setup` of `Node` is 65537: it has to be at most 65536");
+    let complaint = PixelArray { width: 12, height: 4 }.checked().unwrap_err().to_string();
+    assert_eq!(complaint, "`width` of `PixelArray` is 12: it has to be a power of two, from 2 to 256");
 }
 
 /// Prints the nanoseconds per clock of a whole node that draws one word while it sends another:
@@ -244,7 +248,7 @@ fn there_is_no_node_of_any_other_size() {
 #[ignore = "it measures"]
 fn nanoseconds_of_the_machine_s_node() {
     const LONG: usize = 4000;
-    let node = Node::new(128, 64, 8192, 0).unwrap();
+    let node = node(128, 64, 8192, 0);
     let draws: Vec<Instruction<u64>> = triangle([[1, 2, 3]; 3], 4, [[70_000, 50_000, 1 << 30]; 4]);
     let program: Vec<Instruction<u64>> = draws.iter().copied().cycle().take(LONG).collect();
     let give = [in_step(Sync::GiveBank, 0)];

@@ -3,8 +3,11 @@
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation};
 
+use super::super::coverage_test::Test;
 use super::super::format::Matrix;
 use super::super::model::{Convex, Raster};
+use super::super::processor::Queues;
+use super::super::raster::Form;
 use super::super::testing::{formats, polygons, small, triangle};
 use super::*;
 
@@ -14,7 +17,8 @@ type Sim = Simulation<QuadtreeGeneratorIn, QuadtreeGeneratorOut>;
 
 fn generator(format: Format, form: &str, test: Test, queue: u32) -> QuadtreeGenerator {
     let queues = Queues { broadcast: queue, packets: queue, windows: queue };
-    QuadtreeGenerator::new(format, Form::parse(form, &format).unwrap(), test, queues).unwrap()
+    let form = Form::parse(form, &format).unwrap();
+    QuadtreeGenerator { video_processor: VideoProcessor { format, form, test, queues } }
 }
 
 /// Sends polygons, and waits until they are drawn.
@@ -190,8 +194,8 @@ fn a_generator_that_cannot_be_is_refused_in_a_sentence() {
     let format = small();
     let form = Form::parse("pipe", &format).unwrap();
     let queues = Queues { broadcast: 2, packets: 0, windows: 2 };
-    let problem = QuadtreeGenerator::new(format, form, Test::Serial, queues).unwrap_err().to_string();
-    assert_eq!(problem, "a packet queue of 0: it has to hold from 1 to 4096");
+    let problem = VideoProcessor { format, form, test: Test::Serial, queues }.checked().unwrap_err().to_string();
+    assert_eq!(problem, "`queues.packets` of `VideoProcessor` is 0: it has to be from 1 to 4096");
     let matrix = Matrix::new(3, 2).unwrap_err().to_string();
     assert_eq!(matrix, "a matrix of 3x2 video processors: each side has to be 1, 2, 4, 8 or 16");
     let edges = Format::new(format.screen(), format.matrix(), 9).unwrap_err().to_string();

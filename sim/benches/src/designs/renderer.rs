@@ -41,12 +41,12 @@ impl Regions {
     ///
     /// There is no renderer with that side.
     pub fn new(side: u32) -> Result<Regions, ParameterError> {
-        Ok(Regions { renderer: Renderer::new(side, QUEUE)? })
+        Ok(Regions { renderer: Renderer { side, queue: QUEUE, quadratic: false }.checked()? })
     }
 
     /// A region of the first triangles.
     fn region(&self, triangles: u32) -> Vec<Instruction<u64>> {
-        let triangles = (0..triangles).flat_map(|number| triangle(self.renderer.side(), number));
+        let triangles = (0..triangles).flat_map(|number| triangle(self.renderer.side, number));
         clear(0x20_40_60).into_iter().chain(triangles).chain(save(1)).collect()
     }
 

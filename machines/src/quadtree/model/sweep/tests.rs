@@ -49,7 +49,7 @@ fn an_impossible_sweep_is_a_sentence() {
     );
     assert_eq!(
         sentence(Sweep { packets: vec![2, 0], ..possible.clone() }),
-        "a packet queue of 0: it has to hold from 1 to 4096"
+        "`queues.packets` of `VideoProcessor` is 0: it has to be from 1 to 4096"
     );
     assert_eq!(
         sentence(Sweep { sizes: vec![5], ..possible.clone() }),
