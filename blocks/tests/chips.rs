@@ -1,10 +1,13 @@
 //! Tops with their pads, PLLs and pins: each fits its FPGA, and is in time there.
 
 use crate::examples::dvi;
+use crate::pins::i2c::i2c_pins::I2cPins;
+use crate::pins::spi_flash::flash_pins::FlashPins;
+use tilewright_blocks::{I2cMaster, SdramController, SdramOnPads, SpiFlashReader};
 use tilewright_gen::tools::{Device, Frequency, Placed, place};
 use tilewright_gen::{Dialect, Pins, constraints, verilog};
-use tilewright_hdl::elaborate;
 use tilewright_hdl::ir::Design;
+use tilewright_hdl::{Period, elaborate};
 
 /// A top, and the FPGA for which its pins are.
 struct Chip {
@@ -17,13 +20,37 @@ struct Chip {
     clocks: &'static [(&'static str, f64)],
 }
 
-const CHIPS: &[Chip] = &[Chip {
-    name: "dvi",
-    design: || elaborate(&dvi::Dvi::VGA).unwrap(),
-    pins: dvi::PINS,
-    device: Device::LFE5U_25F,
-    clocks: &[("pixel_clk", 25.0), ("serial_clk", 125.0)],
-}];
+const CHIPS: &[Chip] = &[
+    Chip {
+        name: "dvi",
+        design: || elaborate(&dvi::Dvi::VGA).unwrap(),
+        pins: dvi::PINS,
+        device: Device::LFE5U_25F,
+        clocks: &[("pixel_clk", 25.0), ("serial_clk", 125.0)],
+    },
+    // I2C at 400 kHz.
+    Chip {
+        name: "i2c_pins",
+        design: || elaborate(&I2cPins { master: I2cMaster { low: 150, high: 95, filter: 3 } }).unwrap(),
+        pins: "",
+        device: Device::LFE5U_25F,
+        clocks: &[("clk", 100.0)],
+    },
+    Chip {
+        name: "flash_pins",
+        design: || elaborate(&FlashPins { reader: SpiFlashReader { half_period: 1, fast: true, length: 24 } }).unwrap(),
+        pins: "",
+        device: Device::LFE5U_25F,
+        clocks: &[("clk", 100.0)],
+    },
+    Chip {
+        name: "sdram_on_pads",
+        design: || elaborate(&SdramOnPads { controller: SdramController::of_32_megabytes(Period::ns(10)) }).unwrap(),
+        pins: "",
+        device: Device::LFE5U_25F,
+        clocks: &[("clk", 100.0)],
+    },
+];
 
 /// The chips by their names.
 pub fn designs() -> impl Iterator<Item = (String, Design)> {
