@@ -404,3 +404,25 @@ impl Block for Holding {
 fn a_net_in_lanes_within_a_lane_does_not_hide_it() {
     assert!(clean(&Holding).contains("held u_u_lane"));
 }
+
+#[test]
+fn an_output_of_the_name_of_a_read_is_declared_once() {
+    block! {
+        /// Words of a memory, read at the edge under the names of the outputs.
+        struct Words;
+        in WordsIn { at: below(12) }
+        out WordsOut { inside: bits(8), gated: bits(8) }
+    }
+    impl Words {
+        fn build(&self, m: Module, i: WordsIn) -> WordsOut {
+            def!(few = m.memory(8, 8, ReadUnderWrite::Any).fill(1));
+            def!(inside = few.read(i.at.trunc(3)));
+            def!(many = m.memory(12, 8, ReadUnderWrite::Any).fill(2));
+            def!(gated = many.read(i.at));
+            WordsOut { inside, gated }
+        }
+    }
+    let text = &verilog(&elaborate(&Words).unwrap())[0].text;
+    assert!(text.contains("output reg  [7:0] inside") && !text.contains("    reg [7:0] inside;"), "{text}");
+    assert!(text.contains("    assign gated = gated_inside ? gated_word : 8'd0;"), "{text}");
+}

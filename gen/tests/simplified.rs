@@ -318,20 +318,25 @@ fn a_read_within_the_depth_has_no_multiplexer() {
         /// A memory of 400 words, read at the edge and at once.
         struct Reads { in_bounds: bool }
         in ReadsIn { at: below(400) }
-        out ReadsOut { late: bits(8), now: bits(8) }
+        out ReadsOut { late: bits(8), now: bits(8), named: bits(8) }
     }
     impl Reads {
         fn build(&self, m: Module, i: ReadsIn) -> ReadsOut {
             def!(words = m.memory(400, 8, ReadUnderWrite::Any).fill(1));
             let words = if self.in_bounds { words.in_bounds() } else { words };
-            ReadsOut { late: words.read(i.at), now: words.read_async(i.at) }
+            let late = words.read(i.at);
+            def!(named = words.read(i.at));
+            ReadsOut { late, now: words.read_async(i.at), named }
         }
     }
     let text = |in_bounds| verilog(&elaborate(&Reads { in_bounds }).unwrap())[0].text.clone();
     let (open, stated) = (text(false), text(true));
-    assert!(open.contains("words_read = words_read_inside ? words_read_word : 8'd0;"), "{open}");
+    assert!(open.contains("words_read0 = words_read0_inside ? words_read0_word : 8'd0;"), "{open}");
     assert!(open.contains("assign now = (at < 9'd400) ? words[at] : 8'd0;"), "{open}");
-    assert!(stated.contains("words_read <= words[at];") && stated.contains("assign now = words[at];"), "{stated}");
+    assert!(stated.contains("words_read0 <= words[at];") && stated.contains("assign now = words[at];"), "{stated}");
+    // An output of the name of a read is declared once.
+    assert!(open.contains("    assign named = named_inside ? named_word : 8'd0;"), "{open}");
+    assert!(stated.contains("named <= words[at];") && !stated.contains("    reg [7:0] named;"), "{stated}");
     let circuit = stated.split("`ifdef").next().unwrap();
     assert!(!circuit.contains("400;") && !circuit.contains('?'), "{stated}");
 }

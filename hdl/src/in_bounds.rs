@@ -16,7 +16,8 @@ impl<V: Data> Mem<V> {
     ///
     /// The statement is of use only where the depth is not a power of two, and the circuit does not show that the
     /// addresses stay below the depth. During a reset nothing is asserted, and the words beyond are undefined there too.
-    /// An asynchronous read is checked at the edges of the memory's clock, so a block without registers gets a clock.
+    /// An asynchronous read is checked at the edges of the memory's clock, so a block without registers gets a clock. As
+    /// for every assertion, the block gets the clock's reset.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -46,13 +46,17 @@ impl Printer<'_> {
         }
         for (names, read) in self.reads[index].iter().zip(&memory.reads) {
             let Some(names) = names else { continue };
+            // The port declares an output of the same name.
+            let is_port = self.is_port(read.node);
             match &names.raw {
+                None if is_port => {}
                 None => out.push(with_place(format!("reg {range}{};", names.data), module.node(read.node).loc)),
                 Some(raw) => {
                     let zero = literal(&Bits::zero(memory.width), Style::Count);
                     out.push(format!("reg {range}{};", raw.word));
                     out.push(format!("reg {};", raw.inside));
-                    out.push(format!("wire {range}{} = {} ? {} : {zero};", names.data, raw.inside, raw.word));
+                    let net = if is_port { "assign ".to_string() } else { format!("wire {range}") };
+                    out.push(format!("{net}{} = {} ? {} : {zero};", names.data, raw.inside, raw.word));
                 }
             }
         }
