@@ -130,6 +130,8 @@ fn ports(design: &Design) -> (Vec<(String, u32)>, Vec<String>) {
 }
 
 const STEPS: u32 = 40;
+/// Before which steps the reset of the first clock becomes active and is released.
+const RESETS: [u32; 2] = [28, 31];
 
 /// The outputs after every step of a run alone, on the reference engine, and its waveform.
 fn alone(design: &Design, run: u32, file: PathBuf) -> (Vec<Vec<Bits>>, Vec<u8>) {
@@ -141,6 +143,9 @@ fn alone(design: &Design, run: u32, file: PathBuf) -> (Vec<Vec<Bits>>, Vec<u8>) 
         for (index, (name, width)) in (0..).zip(&inputs) {
             let port = sim.port(name).unwrap();
             sim.set(port, random(run, step, index).slice(0..*width));
+        }
+        if RESETS.contains(&step) {
+            sim.set_reset(&design.top().clocks[0].port, step == RESETS[0]);
         }
         if step == 20 {
             sim.reset()
@@ -175,6 +180,9 @@ fn check(name: &str, block: &impl Block) {
             for (index, (name, width)) in (0..).zip(&inputs) {
                 let port = batch.port(name).unwrap();
                 batch.set_each(port, |run| random(run, step, index).slice(0..*width));
+            }
+            if RESETS.contains(&step) {
+                batch.set_reset(&design.top().clocks[0].port, step == RESETS[0]);
             }
             if step == 20 {
                 batch.reset()

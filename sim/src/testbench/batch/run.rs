@@ -101,6 +101,32 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().reset();
     }
 
+    /// Makes the reset of a clock active in all runs, or releases it. The clock is given directly or by name; see
+    /// [`Simulation::set_reset`](crate::Simulation::set_reset).
+    ///
+    /// ```
+    /// use tilewright_hdl::{DEFAULT_PERIOD, DefaultClock, Reset};
+    /// # use tilewright_sim::{Batch, for_examples::Counter};
+    /// let mut batch = Batch::at(&Counter, DefaultClock::new(DEFAULT_PERIOD).reset(Reset::AsynchronousLow), 4)?;
+    /// batch.set_each(batch.i.enable, |run| run % 2);
+    /// batch.run(10);
+    /// batch.set_reset("clk", true);
+    /// assert!(batch.get_each(batch.o.count).iter().all(|count| count.is_zero())); // without an edge
+    /// batch.run(5);
+    /// batch.set_reset("clk", false);
+    /// batch.step();
+    /// assert_eq!((batch.read_u64(2).count, batch.read_u64(3).count), (0, 1));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// As [`Simulation::set_reset`](crate::Simulation::set_reset).
+    #[track_caller]
+    pub fn set_reset(&mut self, clock: impl AsRef<str>, active: bool) {
+        self.ready().circuit.set_reset_of(clock.as_ref(), active);
+    }
+
     /// Like [`Batch::step`], for a program that reports errors itself.
     ///
     /// ```
