@@ -115,6 +115,36 @@ fn streams_go_from_instance_to_instance() {
 }
 
 #[test]
+fn a_foreign_module_has_its_own_name_and_stays_closed() {
+    block! {
+        /// A flip-flop of an iCE40.
+        struct FlipFlop;
+        foreign = Foreign::module("SB_DFFSR").clock("C").reset("R").capitals();
+        in FlipFlopIn { d: bit() }
+        out FlipFlopOut { q: bit() }
+    }
+    impl FlipFlop {
+        fn build(&self, m: Module, i: FlipFlopIn) -> FlipFlopOut {
+            FlipFlopOut { q: *m.reg("sampled", 1).reset(0).when(i.d, 1) }
+        }
+    }
+    block! {
+        /// A flip-flop at a pin.
+        struct Pin;
+        in PinIn { pin: bit() }
+        out PinOut { word: bit() }
+    }
+    impl Pin {
+        fn build(&self, m: Module, i: PinIn) -> PinOut {
+            PinOut { word: m.instance("u_pin", &FlipFlop, FlipFlopIn { d: i.pin }).q }
+        }
+    }
+    let diagram = diagram(&elaborate(&Pin).unwrap(), &DiagramOptions { depth: 2, around: None }).unwrap();
+    assert_eq!(boxes(&diagram)[1], (BoxKind::Instance, "u_pin".to_owned(), "SB_DFFSR"));
+    assert_eq!(diagram.boxes.len(), 3);
+}
+
+#[test]
 fn what_only_statements_read_is_not_drawn() {
     let diagram = shown(&Slot);
     let names: Vec<String> = boxes(&diagram).into_iter().map(|it| it.1).collect();

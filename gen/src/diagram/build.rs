@@ -114,7 +114,12 @@ impl Words<'_> {
             }
             What::Instance(id) => {
                 let instance = items.instance(scope, id);
-                let block = block_name(&items.design.module(instance.module).parameters);
+                let module = items.design.module(instance.module);
+                // The block of a foreign module is only its model.
+                let block = match &module.foreign {
+                    Some(foreign) => foreign.module.clone(),
+                    None => block_name(&module.parameters),
+                };
                 let count = if members.len() == 1 { lanes(instance.shape) } else { members.len().to_string() };
                 (BoxKind::Instance, block, count, false, instance.clocks.clone())
             }

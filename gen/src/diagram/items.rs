@@ -63,8 +63,9 @@ impl<'a> Items<'a> {
         self.scopes.push(Scope { module, outside, opened: BTreeMap::new(), path });
         for (i, instance) in module.instances.iter().enumerate().filter(|_| depth > 1) {
             let inside = self.design.module(instance.module);
-            // A module of logic alone has nothing to show.
-            if inside.registers.is_empty() && inside.memories.is_empty() && inside.instances.is_empty() {
+            // A module of logic alone has nothing to show, and a model is not what is in a foreign module.
+            let is_logic = inside.registers.is_empty() && inside.memories.is_empty() && inside.instances.is_empty();
+            if is_logic || inside.foreign.is_some() {
                 continue;
             }
             let id = InstanceId(i as u32);
