@@ -31,6 +31,11 @@ fn design(reset: Reset) -> Design {
     elaborate_at(&Kinds, DefaultClock::new(DEFAULT_PERIOD).reset(reset)).unwrap()
 }
 
+/// The same design on a clock whose registers act where it falls.
+fn falling(reset: Reset) -> Design {
+    elaborate_at(&Kinds, DefaultClock::new(DEFAULT_PERIOD).reset(reset).falling()).unwrap()
+}
+
 fn text(reset: Reset) -> String {
     verilog(&design(reset))[0].text.clone()
 }
@@ -117,10 +122,20 @@ fn run(reset: Reset) -> Recording {
 }
 
 #[test]
-fn a_testbench_drives_each_kind() {
+fn a_falling_clock_has_the_other_edge_everywhere() {
     for reset in Reset::ALL {
-        let (design, recording) = (design(reset), run(reset));
-        let (files, bench) = (verilog(&design), testbench(&design, &recording));
+        let (rising, falling) = (text(reset), verilog(&falling(reset))[0].text.clone());
+        assert_eq!(rising.replace("posedge clk", "negedge clk"), falling, "{reset:?}");
+        // Registers with a reset and without one, and statements for formal tools and for simulators.
+        assert!(falling.matches("negedge clk").count() >= 4, "{falling}");
+    }
+}
+
+/// At a recorded step either clock has its edge.
+#[test]
+fn a_testbench_drives_each_kind() {
+    for (reset, design) in Reset::ALL.into_iter().flat_map(|reset| [(reset, design(reset)), (reset, falling(reset))]) {
+        let (files, bench) = (verilog(&design), testbench(&design, &run(reset)));
         let _ = tools::replay_in_icarus(&files, &bench).unwrap_or_else(|problem| panic!("{reset:?}: {problem}"));
     }
 }
@@ -128,7 +143,7 @@ fn a_testbench_drives_each_kind() {
 /// Verilator takes seconds, so it takes one kind here; random designs have all.
 #[test]
 fn verilator_resets_asynchronously() {
-    let (design, recording) = (design(Reset::AsynchronousLow), run(Reset::AsynchronousLow));
+    let (design, recording) = (falling(Reset::AsynchronousLow), run(Reset::AsynchronousLow));
     let _ = tools::replay_in_verilator(&verilog(&design), &testbench(&design, &recording)).unwrap();
 }
 
@@ -143,10 +158,11 @@ fn a_testbench_tells_the_kinds_apart() {
 
 #[test]
 fn no_linter_complains_of_any_kind() {
-    let designs = Reset::ALL.map(|reset| verilog(&design(reset)));
-    let files = designs.each_ref().map(|files| &files[..]);
+    let kinds = Reset::ALL.into_iter().flat_map(|reset| [(reset, design(reset)), (reset, falling(reset))]);
+    let (kinds, designs): (Vec<Reset>, Vec<_>) = kinds.map(|(reset, design)| (reset, verilog(&design))).unzip();
+    let files: Vec<&[_]> = designs.iter().map(|files| &files[..]).collect();
     if let Err(problems) = tools::lint_all(&files) {
-        let first = problems.into_iter().map(|(of, problem)| format!("{:?}: {problem}", Reset::ALL[of])).next();
+        let first = problems.into_iter().map(|(of, problem)| format!("{:?}: {problem}", kinds[of])).next();
         panic!("{}", first.unwrap());
     }
 }

@@ -1,5 +1,6 @@
-//! Clocks: a name, an exact period and a kind of reset.
+//! Clocks: a name, an exact period, a kind of reset and an edge.
 
+use crate::edge::Edge;
 use crate::reset::Reset;
 use std::fmt;
 
@@ -108,15 +109,20 @@ pub struct Clock {
     pub period: Period,
     /// How it resets its registers.
     pub reset: Reset,
+    /// The edge at which its registers act.
+    pub edge: Edge,
 }
 
-/// Shows the reset unless it is the usual one. The text is a part of modules' names and headers.
+/// Shows the reset and the edge unless they are the usual ones. The text is a part of modules' names and headers.
 impl fmt::Debug for Clock {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let mut text = f.debug_struct("Clock");
         text.field("name", &self.name).field("period", &self.period);
         if self.reset != Reset::default() {
             text.field("reset", &self.reset);
+        }
+        if self.edge != Edge::default() {
+            text.field("edge", &self.edge);
         }
         text.finish()
     }
@@ -130,7 +136,7 @@ impl AsRef<str> for Clock {
 }
 
 impl Clock {
-    /// A clock with this name and period. Its reset is synchronous and active high.
+    /// A clock with this name and period. Its reset is synchronous and active high, and its registers act where it rises.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -138,7 +144,7 @@ impl Clock {
     /// assert_eq!(VIDEO.as_ref(), "video");
     /// ```
     pub const fn new(name: &'static str, period: Period) -> Clock {
-        Clock { name, period, reset: Reset::Synchronous }
+        Clock { name, period, reset: Reset::Synchronous, edge: Edge::Rising }
     }
 
     /// The same clock with another kind of reset.
@@ -166,9 +172,35 @@ impl Clock {
     pub const fn reset(self, reset: Reset) -> Clock {
         Clock { reset, ..self }
     }
+
+    /// The same clock, but everything on it acts where it falls.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// // A peripheral bus whose slave takes the word at the falling edge.
+    /// const BUS: Clock = Clock::new("bus", Period::ns(40)).falling();
+    ///
+    /// # block! {
+    /// #     struct Taker;
+    /// #     in TakerIn { word: bits(8).on(BUS) }
+    /// #     out TakerOut { taken: bits(8) }
+    /// # }
+    /// # impl Taker {
+    /// #     fn build(&self, m: Module, i: TakerIn) -> TakerOut {
+    /// def!(taken = m.on(BUS).pipe(i.word));
+    /// #         TakerOut { taken }
+    /// #     }
+    /// # }
+    /// # let text = &tilewright_gen::verilog(&elaborate(&Taker)?)[0].text;
+    /// assert!(text.contains("always @(negedge bus_clk) begin"));
+    /// # Ok::<(), Problems>(())
+    /// ```
+    pub const fn falling(self) -> Clock {
+        Clock { edge: Edge::Falling, ..self }
+    }
 }
 
-/// The clock of a top that names none: its period and its kind of reset. A [`Period`] is accepted wherever a
+/// The clock of a top that names none: its period, its kind of reset and its edge. A [`Period`] is accepted wherever a
 /// `DefaultClock` is.
 ///
 /// ```
@@ -195,17 +227,19 @@ pub struct DefaultClock {
     pub period: Period,
     /// How it resets its registers.
     pub reset: Reset,
+    /// The edge at which its registers act.
+    pub edge: Edge,
 }
 
 impl DefaultClock {
-    /// A clock with this period. Its reset is synchronous and active high.
+    /// A clock with this period. Its reset is synchronous and active high, and its registers act where it rises.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// assert_eq!(DefaultClock::new(Period::ns(20)), Period::ns(20).into());
     /// ```
     pub const fn new(period: Period) -> DefaultClock {
-        DefaultClock { period, reset: Reset::Synchronous }
+        DefaultClock { period, reset: Reset::Synchronous, edge: Edge::Rising }
     }
 
     /// The same clock with another kind of reset.
@@ -218,6 +252,17 @@ impl DefaultClock {
     pub const fn reset(self, reset: Reset) -> DefaultClock {
         DefaultClock { reset, ..self }
     }
+
+    /// The same clock, but everything on it acts where it falls.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// const BOARD: DefaultClock = DefaultClock::new(Period::ns(20)).falling();
+    /// assert_eq!(BOARD.edge, Edge::Falling);
+    /// ```
+    pub const fn falling(self) -> DefaultClock {
+        DefaultClock { edge: Edge::Falling, ..self }
+    }
 }
 
 impl From<Period> for DefaultClock {
@@ -226,9 +271,28 @@ impl From<Period> for DefaultClock {
     }
 }
 
-/// A named clock's period and reset.
+/// A named clock's period, reset and edge.
 impl From<Clock> for DefaultClock {
-    fn from(Clock { period, reset, .. }: Clock) -> DefaultClock {
-        DefaultClock { period, reset }
+    fn from(Clock { period, reset, edge, .. }: Clock) -> DefaultClock {
+        DefaultClock { period, reset, edge }
+    }
+}
+
+/// How a module's own clock acts. A block has a module for each way in which it is used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct OwnClock {
+    pub reset: Reset,
+    pub edge: Edge,
+}
+
+impl From<Clock> for OwnClock {
+    fn from(Clock { reset, edge, .. }: Clock) -> OwnClock {
+        OwnClock { reset, edge }
+    }
+}
+
+impl From<DefaultClock> for OwnClock {
+    fn from(DefaultClock { reset, edge, .. }: DefaultClock) -> OwnClock {
+        OwnClock { reset, edge }
     }
 }

@@ -1,7 +1,7 @@
 //! A module under construction.
 
 use crate::bits::Bits;
-use crate::clock::Clock;
+use crate::clock::{Clock, OwnClock};
 use crate::enabled::{EnabledPart, PartId};
 use crate::in_place_of::{OwnPeriod, Renamed};
 use crate::ir::*;
@@ -21,8 +21,8 @@ pub(crate) struct Draft {
     /// The place of the block's declaration, if known.
     pub declared: Option<Loc>,
     pub loc: Loc,
-    /// How the default clock resets.
-    pub reset: Reset,
+    /// How the default clock resets, and at which edge it acts.
+    pub own: OwnClock,
     /// The clocks used so far; the first is the default clock, `None`.
     pub clocks: Vec<Option<Clock>>,
     pub clock_used: Vec<bool>,
@@ -139,13 +139,13 @@ pub(crate) struct Synchronizer {
 pub(crate) const UNDRIVEN: NodeId = NodeId(u32::MAX);
 
 impl Draft {
-    pub fn new(serial: u32, block: &'static str, reset: Reset, loc: Loc) -> Draft {
+    pub fn new(serial: u32, block: &'static str, own: OwnClock, loc: Loc) -> Draft {
         Draft {
             serial,
             block,
             declared: None,
             loc,
-            reset,
+            own,
             clocks: vec![None],
             clock_used: vec![false],
             inputs: Vec::new(),
@@ -292,7 +292,7 @@ impl Draft {
 
     /// How a clock resets.
     pub fn reset_of(&self, id: ClockId) -> Reset {
-        self.clocks[id.0 as usize].map_or(self.reset, |clock| clock.reset)
+        self.clocks[id.0 as usize].map_or(self.own.reset, |clock| clock.reset)
     }
 
     /// Whether one of the nodes is a stand-in or is computed from one.

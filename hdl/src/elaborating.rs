@@ -3,7 +3,7 @@
 use crate::block::Block;
 use crate::bundle::Bundle;
 use crate::check::{self, foreign};
-use crate::clock::{DefaultClock, Period};
+use crate::clock::{DefaultClock, OwnClock, Period};
 use crate::draft::Draft;
 use crate::elaboration;
 use crate::enabled;
@@ -17,7 +17,6 @@ use crate::mistake::Mistake;
 use crate::module::{Module, declare, port_name};
 use crate::names;
 use crate::problem::{Problem, Problems};
-use crate::reset::Reset;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
 use crate::stream::{Origin, backwards, leave, untaken};
@@ -127,14 +126,15 @@ pub type Typed<B> = (Design, <<B as Block>::In as Bundle>::Of<usize>, <<B as Blo
 /// ```
 #[track_caller]
 pub fn elaborate_typed<B: Block>(block: &B, clock: impl Into<DefaultClock>) -> Result<Typed<B>, Problems> {
-    let (loc, DefaultClock { period, reset }) = (Loc::caller(), clock.into());
+    let (loc, clock) = (Loc::caller(), clock.into());
+    let (own, period) = (OwnClock::from(clock), clock.period);
     let mut ports = None;
-    let ended = elaboration::run(reset, || {
+    let ended = elaboration::run(own, || {
         elaboration::with(|e| check_period(e, "the default clock", period, loc));
-        let child = elaborate_module(block, Vec::new(), reset, loc);
+        let child = elaborate_module(block, Vec::new(), own, loc);
         ports = Some(port_numbers(block, &child));
         elaboration::with(|e| {
-            in_place_of::check_default(e, DefaultClock { period, reset });
+            in_place_of::check_default(e, clock);
             names::check_module_names(e);
         });
     })?;
@@ -179,15 +179,15 @@ impl Elaborated {
     }
 }
 
-/// The module of `block` on a clock with this reset, whose instance is in an enabled part on these clocks: the existing
+/// The module of `block` on a clock that acts in this way, whose instance is in an enabled part on these clocks: the existing
 /// one for the same type and parameters, or a new one.
 pub(crate) fn elaborate_module<B: Block>(
     block: &B,
     gated: Vec<Option<&'static str>>,
-    reset: Reset,
+    own: OwnClock,
     loc: Loc,
 ) -> Elaborated {
-    if let Some(known) = known(block, &gated, reset) {
+    if let Some(known) = known(block, &gated, own) {
         return known;
     }
     if let Err(problem) = block.check() {
@@ -206,7 +206,7 @@ pub(crate) fn elaborate_module<B: Block>(
             declared,
             is_pad: block.is_pad(),
             gated: gated.clone(),
-            ..Draft::new(serial, name, reset, loc)
+            ..Draft::new(serial, name, own, loc)
         });
         foreign::begin(e, block.foreign());
     });
@@ -214,7 +214,7 @@ pub(crate) fn elaborate_module<B: Block>(
     let (out, outputs) = describe(block, loc);
     let used = elaboration::with(|e| enabled::declare_inputs(e, &outputs));
     // Where nothing runs on a clock, its enable makes no other module.
-    let elaborated = known(block, &used, reset).inspect(|_| elaboration::with(|e| drop(e.drafts.pop())));
+    let elaborated = known(block, &used, own).inspect(|_| elaboration::with(|e| drop(e.drafts.pop())));
     let elaborated = elaborated.unwrap_or_else(|| {
         elaboration::with(|e| {
             let (mut about, name) = (block.about(), enabled::module_name(block.name(), &used));
@@ -227,9 +227,9 @@ pub(crate) fn elaborate_module<B: Block>(
         })
     });
     elaboration::with(|e| {
-        let reset = e.depends_on_reset[elaborated.id.0 as usize].then_some(reset);
-        e.known.insert(block.clone(), used, reset, elaborated.id);
-        e.known.insert(block.clone(), gated, reset, elaborated.id);
+        let needs = e.depends_on[elaborated.id.0 as usize].of(own);
+        e.known.insert(block.clone(), used, needs, elaborated.id);
+        e.known.insert(block.clone(), gated, needs, elaborated.id);
         if again {
             e.forget_repeated(before);
         }
@@ -237,9 +237,9 @@ pub(crate) fn elaborate_module<B: Block>(
     elaborated
 }
 
-fn known<B: Block>(block: &B, gated: &[Option<&'static str>], reset: Reset) -> Option<Elaborated> {
+fn known<B: Block>(block: &B, gated: &[Option<&'static str>], own: OwnClock) -> Option<Elaborated> {
     elaboration::with(|e| {
-        let id = e.known.get(block, gated, reset)?;
+        let id = e.known.get(block, gated, own)?;
         Some(Elaborated { id, outputs: e.shapes[id.0 as usize].clone() })
     })
 }

@@ -4,8 +4,9 @@
 //! thread runs at most one elaboration; a guard clears the arena even when a description panics. Every handle carries
 //! the stamp of its elaboration and the number of its module, so a stale or foreign handle is a clear error.
 
-use crate::clock::Clock;
+use crate::clock::{Clock, OwnClock};
 use crate::draft::Draft;
+use crate::edge::Edge;
 use crate::in_place_of::OwnPeriod;
 use crate::ir::latency::Delay;
 use crate::ir::{Module, ModuleId, NodeId};
@@ -45,15 +46,32 @@ pub(crate) struct Elaboration {
     pub drafts_begun: u32,
     /// Every named clock, and the place of its first use.
     pub clocks: BTreeMap<&'static str, (Clock, Loc)>,
-    /// How the top's own clock resets.
-    pub reset: Reset,
-    /// For each finished module, whether it depends on how its default clock resets.
-    pub depends_on_reset: Vec<bool>,
+    /// How the top's own clock acts.
+    pub own: OwnClock,
+    /// For each finished module, what of its default clock it depends on.
+    pub depends_on: Vec<DependsOn>,
     pub problems: Vec<Problem>,
 }
 
+/// What of its own clock a module depends on.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct DependsOn {
+    pub reset: bool,
+    pub edge: bool,
+}
+
+impl DependsOn {
+    /// What it depends on, of this clock.
+    pub fn of(self, own: OwnClock) -> Needs {
+        (self.reset.then_some(own.reset), self.edge.then_some(own.edge))
+    }
+}
+
+/// The reset and the edge of its own clock that a module was made for, if it depends on them.
+pub(crate) type Needs = (Option<Reset>, Option<Edge>);
+
 /// Blocks by type and value, independent of their `Debug` text: for each type, a `HashMap` of its blocks. A block has a
-/// module for each kind of reset that it was made for, and each set of clocks on which its instances are in an enabled
+/// module for each kind of clock that it was made for, and each set of clocks on which its instances are in an enabled
 /// part.
 #[derive(Default)]
 pub(crate) struct KnownBlocks(HashMap<TypeId, Box<dyn Any>>);
@@ -61,8 +79,7 @@ pub(crate) struct KnownBlocks(HashMap<TypeId, Box<dyn Any>>);
 /// A module of a block.
 struct Made {
     gated: Vec<Option<&'static str>>,
-    /// A module without a kind of reset serves all kinds.
-    reset: Option<Reset>,
+    needs: Needs,
     id: ModuleId,
 }
 
@@ -71,9 +88,12 @@ impl KnownBlocks {
         &self,
         block: &B,
         gated: &[Option<&'static str>],
-        reset: Reset,
+        own: OwnClock,
     ) -> Option<ModuleId> {
-        let is_it = |made: &&Made| made.gated == gated && made.reset.is_none_or(|of| of == reset);
+        let is_it = |made: &&Made| {
+            let (reset, edge) = made.needs;
+            made.gated == gated && reset.is_none_or(|of| of == own.reset) && edge.is_none_or(|of| of == own.edge)
+        };
         self.modules(block)?.iter().find(is_it).map(|made| made.id)
     }
 
@@ -91,14 +111,14 @@ impl KnownBlocks {
         &mut self,
         block: B,
         gated: Vec<Option<&'static str>>,
-        reset: Option<Reset>,
+        needs: Needs,
         id: ModuleId,
     ) {
         let of_type = self.0.entry(TypeId::of::<B>()).or_insert_with(|| Box::new(HashMap::<B, Vec<Made>>::new()));
         let of_type = of_type.downcast_mut::<HashMap<B, Vec<Made>>>().expect("a map of that type");
         let modules = of_type.entry(block).or_default();
-        if modules.iter().all(|made| made.gated != gated || made.reset != reset) {
-            modules.push(Made { gated, reset, id });
+        if modules.iter().all(|made| made.gated != gated || made.needs != needs) {
+            modules.push(Made { gated, needs, id });
         }
     }
 }
@@ -138,8 +158,8 @@ pub(crate) fn mistake(mistake: Mistake, message: String, help: &str) -> ! {
     panic!("{message} [{mistake}], at {loc}: {help}")
 }
 
-/// Runs `describe` with a fresh arena, for a top whose own clock resets in this way, and returns the arena's contents.
-pub(crate) fn run(reset: Reset, describe: impl FnOnce()) -> Result<Elaboration, Problems> {
+/// Runs `describe` with a fresh arena, for a top whose own clock acts in this way, and returns the arena's contents.
+pub(crate) fn run(own: OwnClock, describe: impl FnOnce()) -> Result<Elaboration, Problems> {
     CURRENT.with_borrow_mut(|current| {
         assert!(current.is_none(), "`elaborate` was called inside a block's `build`: use `m.instance` there");
         *current = Some(Elaboration {
@@ -155,8 +175,8 @@ pub(crate) fn run(reset: Reset, describe: impl FnOnce()) -> Result<Elaboration, 
             drafts: Vec::new(),
             drafts_begun: 0,
             clocks: BTreeMap::new(),
-            reset,
-            depends_on_reset: Vec::new(),
+            own,
+            depends_on: Vec::new(),
             problems: Vec::new(),
         });
     });
@@ -193,7 +213,7 @@ impl Elaboration {
         self.drafts.last_mut().expect("a module is being built")
     }
 
-    /// Registers a clock; its name has one period and one kind of reset in the whole design.
+    /// Registers a clock; its name has one period, one kind of reset and one edge in the whole design.
     pub fn meet_clock(&mut self, clock: Clock, loc: Loc) {
         let (known, first) = match self.clocks.get(clock.name) {
             Some(known) => *known,
@@ -203,11 +223,18 @@ impl Elaboration {
                 return;
             }
         };
-        let Clock { name, period, reset } = clock;
+        let Clock { name, period, reset, edge } = clock;
         if reset != known.reset {
             let message = format!("clock `{name}` has {} here and {} elsewhere", reset.words(), known.reset.words());
             let problem = Problem::new(Mistake::TwoResets, loc, message).note(format!("`{name}` is first used"), first);
             self.report(problem.help("a clock resets in one way in the whole design"));
+        }
+        if edge != known.edge {
+            let message = format!("clock `{name}` {} here and {} elsewhere", edge.words(), known.edge.words());
+            let problem = Problem::new(Mistake::TwoEdges, loc, message).note(format!("`{name}` is first used"), first);
+            self.report(
+                problem.help("a clock has one edge in the whole design: the opposite one is a clock of its own"),
+            );
         }
         if period != known.period {
             let message = format!("clock `{name}` has a period of {period} here and of {} elsewhere", known.period);

@@ -2,8 +2,9 @@
 
 use crate::check;
 use crate::chosen;
+use crate::clock::OwnClock;
 use crate::draft::Draft;
-use crate::elaboration::Elaboration;
+use crate::elaboration::{DependsOn, Elaboration};
 use crate::enabled;
 use crate::in_bounds;
 use crate::ir::*;
@@ -33,10 +34,10 @@ pub(crate) fn finish(
     in_bounds::assert_addresses(&mut draft);
     past::wait_for_pasts(&mut draft, &e.summaries, &outputs);
     let renumber = place_clocks(&mut draft);
-    let resets = find_resets(&draft, &e.done, &e.depends_on_reset);
-    // A block that does not depend on the reset has one module for all kinds.
-    let depends = resets[0].is_some();
-    let name = if depends && draft.reset != e.reset { format!("{name}_{}", draft.reset.suffix()) } else { name };
+    let resets = find_resets(&draft, &e.done, &e.depends_on);
+    // A block that does not depend on the reset or the edge has one module for all kinds.
+    let depends = DependsOn { reset: resets[0].is_some(), edge: draft.clock_used[0] };
+    let name = named_after(name, depends, draft.own, e.own);
     let reset_ports: Vec<_> = resets.iter().map(|reset| reset.as_ref().and_then(|(_, port)| port.clone())).collect();
     let name = check::naming::check(&mut draft, &e.done, &outputs, &reset_ports, name, problems);
     check::unused::check(&draft, &outputs, problems);
@@ -65,13 +66,24 @@ pub(crate) fn finish(
     e.own_periods.push(draft.own_periods.clone());
     e.enables
         .push(draft.enables.iter().map(|(clock, _)| draft.clocks[clock.0 as usize].map(|clock| clock.name)).collect());
-    e.depends_on_reset.push(depends);
+    e.depends_on.push(depends);
     let block = (draft.block, !draft.enables.is_empty());
     let module = module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters);
     if e.problems.is_empty() {
         check::latency::check(block, &module, &mut e.delays, &mut e.problems);
     }
     e.done.push(module);
+}
+
+/// The module's name, with what of its own clock differs from the top's and matters here.
+fn named_after(mut name: String, depends: DependsOn, own: OwnClock, top: OwnClock) -> String {
+    if depends.reset && own.reset != top.reset {
+        name = format!("{name}_{}", own.reset.suffix());
+    }
+    if depends.edge && own.edge != top.edge {
+        name = format!("{name}_{}", own.edge.suffix());
+    }
+    name
 }
 
 /// Finds the clock of each input, and the position of each clock of the draft among the used ones.
@@ -95,7 +107,7 @@ type ResetPort = (Reset, Option<String>);
 
 /// For each clock of the draft, its reset, if a register uses it or an assertion waits for it. `depends` says which of
 /// the finished modules depend on the reset of their default clock.
-fn find_resets(draft: &Draft, done: &[Module], depends: &[bool]) -> Vec<Option<ResetPort>> {
+fn find_resets(draft: &Draft, done: &[Module], depends: &[DependsOn]) -> Vec<Option<ResetPort>> {
     let kind = |clock: usize| draft.reset_of(ClockId(clock as u32));
     let given = |clock: usize| {
         let port = draft.foreign.as_ref()?.reset_port(draft.clocks[clock])?;
@@ -108,7 +120,7 @@ fn find_resets(draft: &Draft, done: &[Module], depends: &[bool]) -> Vec<Option<R
     draft.registers.iter().filter(|register| register.reset.is_some()).for_each(|register| needs(register.clock));
     draft.properties.iter().for_each(|draft| needs(draft.property.clock));
     for instance in &draft.instances {
-        let (child, depends) = (&done[instance.module.0 as usize], depends[instance.module.0 as usize]);
+        let (child, depends) = (&done[instance.module.0 as usize], depends[instance.module.0 as usize].reset);
         for (clock, driver) in child.clocks.iter().zip(&instance.clocks) {
             let is_reset = clock.reset.is_some() || clock.kind == Reset::PowerOn;
             if is_reset || depends && clock.name.is_none() {
@@ -151,6 +163,7 @@ fn module(
         port: draft.clock_port(*clock),
         reset: reset.as_ref().and_then(|(_, port)| port.clone()),
         kind: reset.as_ref().map_or(Reset::Synchronous, |(kind, _)| *kind),
+        edge: clock.map_or(draft.own.edge, |clock| clock.edge),
         period: clock.map(|clock| clock.period),
         name: clock.map(|clock| clock.name),
     });

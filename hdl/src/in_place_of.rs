@@ -132,6 +132,9 @@ fn check(e: &mut Elaboration, needed: OwnPeriod, by: String, clock: impl Into<De
     } else if of.reset != clock.reset {
         let message = format!("clock `{}` has {}, but {place} {}", of.name, of.reset.words(), clock.reset.words());
         (message, "give both clocks the same reset, or make the clock a parameter of the block")
+    } else if of.edge != clock.edge {
+        let message = format!("clock `{}` {}, but {place} {}", of.name, of.edge.words(), clock.edge.words());
+        (message, "give both clocks the same edge, or make the clock a parameter of the block")
     } else {
         return;
     };

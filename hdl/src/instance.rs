@@ -2,6 +2,7 @@
 
 use crate::block::Block;
 use crate::bundle::Bundle;
+use crate::clock::OwnClock;
 use crate::elaborating::{Elaborated, elaborate_module};
 use crate::elaboration::{self, Elaboration};
 use crate::fields::Fields;
@@ -10,7 +11,6 @@ use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::problem::Problem;
-use crate::reset::Reset;
 use crate::shaping::{IntoShape, sound_shape};
 use crate::signal::{Signal, bits_text};
 use crate::signed::READ_AS;
@@ -46,7 +46,7 @@ impl Module {
     #[track_caller]
     pub fn instance<B: Block>(self, name: &str, block: &B, inputs: B::In) -> B::Out {
         let loc = Loc::caller();
-        let child = elaborate_module(block, self.gated(), self.resets(), loc);
+        let child = elaborate_module(block, self.gated(), self.own_clock(), loc);
         let fed = Fed::of(&inputs, loc);
         let instance = self.declare(name, child.id, Shape::Plain, loc);
         let (out, answers) = self.read::<B>(&instance, &child, loc);
@@ -94,7 +94,7 @@ impl Module {
         B::Out: Clone,
     {
         let (loc, shape) = (Loc::caller(), shape.into_shape());
-        let child = elaborate_module(block, self.gated(), self.resets(), loc);
+        let child = elaborate_module(block, self.gated(), self.own_clock(), loc);
         let shape = elaboration::with(|e| sound_shape(e, &format!("the array `{name}`"), shape, loc));
         let instance = self.declare(name, child.id, shape, loc);
         let (out, answers) = self.read::<B>(&instance, &child, loc);
@@ -140,9 +140,9 @@ impl Module {
         })
     }
 
-    /// How this handle's clock resets.
-    fn resets(self) -> Reset {
-        self.clock.map_or_else(|| elaboration::draft(|draft| draft.reset), |clock| clock.reset)
+    /// How this handle's clock acts.
+    fn own_clock(self) -> OwnClock {
+        self.clock.map_or_else(|| elaboration::draft(|draft| draft.own), OwnClock::from)
     }
 
     /// Connects the inputs of a declared instance: nodes by their paths in its input bundle, and then the answers to

@@ -83,6 +83,7 @@ mod def;
 mod described;
 mod divide;
 mod draft;
+mod edge;
 mod elaborating;
 mod elaboration;
 mod enabled;
@@ -158,6 +159,7 @@ pub use data::{Data, Fits, Layout};
 pub use declare::{AddTheBuildOfThisBlock, NoBuild, about, declared, list, sentence};
 #[doc(hidden)]
 pub use def::instance_name;
+pub use edge::Edge;
 pub use elaborating::{DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate_typed};
 pub use fields::{Fields, Leaf, Visited};
 pub use index::Index;

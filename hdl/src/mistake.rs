@@ -230,6 +230,8 @@ mistakes! {
     MadeClock = 808,
     /// A clock resets in two ways.
     TwoResets = 809,
+    /// A clock acts on two edges.
+    TwoEdges = 810,
     /// What is within `enabled` runs on another clock.
     EnabledElsewhere = 831,
     /// A clock runs in place of one with another period.

@@ -194,7 +194,7 @@ impl Reader {
 fn clock(printed: &str) -> Option<(&str, &str)> {
     let (name, rest) = printed.strip_prefix("Clock { name: \"")?.split_once("\", period: Period(")?;
     let (_, rest) = rest.split_once(')')?;
-    // A reset that is not the usual one may follow.
+    // A reset and an edge that are not the usual ones may follow.
     let (_, rest) = rest.split_once('}')?;
     Some((name, rest))
 }

@@ -22,7 +22,7 @@ use crate::bits::Bits;
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Recording {
-    /// The instants at which clocks rise, in the sequence of time; in a design without clocks, the times of
+    /// The instants at which clocks have an edge, in the sequence of time; in a design without clocks, the times of
     /// comparison.
     pub steps: Vec<Step>,
     /// State that starts with another value than its reset value, its contents, or zero.
@@ -47,7 +47,8 @@ pub struct Recording {
 pub struct Step {
     /// Its time in picoseconds: above 1, and at least 2 after the previous step.
     pub time_ps: u64,
-    /// The clocks that rise, by index in [`Module::clocks`](crate::ir::Module::clocks).
+    /// The clocks that rise or, where they act on their falling edge, fall; by index in
+    /// [`Module::clocks`](crate::ir::Module::clocks).
     pub rising: Vec<usize>,
     /// The clocks whose reset is active before and at the edge, whatever its level then is.
     pub resets: Vec<usize>,

@@ -132,3 +132,31 @@ fn a_clock_that_only_an_instance_resets_is_of_that_kind_in_the_top() {
     let design = elaborate(&Outer).unwrap();
     assert_eq!((design.top().clocks[0].kind, &design.top().clocks[0].reset), (Reset::PowerOn, &None));
 }
+
+#[test]
+fn a_block_has_a_module_for_each_edge() {
+    const FALLING: Clock = Clock::new("video", Period::ns(40)).falling();
+    block! {
+        /// The same two blocks on both edges.
+        struct Both;
+        out BothOut { own: bits(4), video: bits(4) }
+    }
+    impl Both {
+        fn build(&self, m: Module, _: ()) -> BothOut {
+            let on = |m: Module, name: &str| {
+                let count = m.instance(&format!("u_{name}"), &Counter, ()).count;
+                m.instance(&format!("u_{name}_late"), &Delay, DelayIn { word: count }).late
+            };
+            BothOut { own: on(m, "own"), video: on(m.on(FALLING), "video") }
+        }
+    }
+    let names = |clock: DefaultClock| {
+        let design = elaborate_at(&Both, clock).unwrap();
+        design.modules().iter().map(|module| format!("{} {:?}", module.name, module.clocks[0].edge)).collect::<Vec<_>>()
+    };
+    let rising = DefaultClock::new(DEFAULT_PERIOD);
+    let both = ["counter Rising", "delay Rising", "counter_falling Falling", "delay_falling Falling", "both Rising"];
+    assert_eq!(names(rising), both);
+    // The edge of the top's own clock is in no name.
+    assert_eq!(names(rising.falling()), ["counter Falling", "delay Falling", "both Falling"]);
+}

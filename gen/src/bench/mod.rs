@@ -1,7 +1,7 @@
 //! The replay testbench: drives the inputs of a recorded run, and compares every output before every edge.
 //!
-//! The time unit of the testbench is a picosecond. Clocks fall, and inputs change, halfway between two edges. Outputs
-//! are compared at the edge itself, just before the clocks rise. Registers start at their reset values and everything
+//! The time unit of the testbench is a picosecond. Clocks return, and inputs change, halfway between two edges.
+//! Outputs are compared at the edge itself, just before the clocks change. Registers start at their reset values and everything
 //! else at zero, as in the simulation, unless the recording says otherwise.
 //!
 //! A failing assertion ends the testbench by itself. So a testbench of a run that ended at a failing assertion fails

@@ -6,7 +6,7 @@ use crate::verilog::{Names, connect, packed_width, range, stop};
 use std::fmt::Write;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Design, Module};
-use tilewright_hdl::{Recording, Reset};
+use tilewright_hdl::{Edge, Recording, Reset};
 
 /// Further mismatches are counted but not shown.
 const MOST_SHOWN: u32 = 10;
@@ -44,6 +44,8 @@ pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
 struct Bench<'a> {
     recording: &'a Recording,
     clocks: Vec<&'a str>,
+    /// For each clock, whether its edges are where it falls.
+    falls: Vec<bool>,
     /// The driven ports: resets, then inputs.
     driven: Vec<Port<'a>>,
     /// For each clock, the kind of reset if it has a port.
@@ -65,6 +67,7 @@ impl<'a> Bench<'a> {
         let mut bench = Bench {
             recording,
             clocks: top.clocks.iter().map(|clock| clock.port.as_str()).collect(),
+            falls: top.clocks.iter().map(|clock| clock.edge == Edge::Falling).collect(),
             driven: resets.chain(inputs).collect(),
             resets: top.clocks.iter().map(|clock| clock.reset.as_ref().map(|_| clock.kind)).collect(),
             outputs: outputs.collect(),
@@ -152,7 +155,7 @@ impl<'a> Bench<'a> {
         line(1, format!("{};", self.own("fill")));
         line(1, format!("{errors} = 0;"));
         table.start(&self.own).into_iter().for_each(|text| line(1, text));
-        self.clocks.iter().for_each(|clock| line(1, format!("{clock} = 1'b0;")));
+        (0..self.clocks.len()).for_each(|clock| line(1, self.level(clock, false)));
         if !special.is_empty() {
             line(1, "#1;".to_string());
         }
@@ -165,7 +168,7 @@ impl<'a> Bench<'a> {
             line(2, format!("/* verilator lint_off {ZERO_DELAY} */ // a gap is 2 at least"));
         }
         line(2, half);
-        self.clocks.iter().for_each(|clock| line(2, format!("{clock} = 1'b0;")));
+        (0..self.clocks.len()).for_each(|clock| line(2, self.level(clock, false)));
         if !self.driven.is_empty() {
             line(2, format!("{} = {};", names(&self.driven), self.own("stimulus")));
         }
@@ -184,10 +187,11 @@ impl<'a> Bench<'a> {
             line(3, format!("{errors} = {errors} + 1;"));
             line(2, "end".to_string());
         }
-        for (index, clock) in self.clocks.iter().enumerate() {
+        for clock in 0..self.clocks.len() {
+            let edge = self.level(clock, true);
             match self.clocks.len() {
-                1 => line(2, format!("{clock} = 1'b1;")),
-                _ => line(2, format!("if ({}[{index}]) {clock} = 1'b1;", self.own("rising"))),
+                1 => line(2, edge),
+                _ => line(2, format!("if ({}[{clock}]) {edge}", self.own("rising"))),
             }
         }
         line(1, "end".to_string());
@@ -203,6 +207,11 @@ impl<'a> Bench<'a> {
         line(1, "$finish;".to_string());
         out.push("end".to_string());
         out
+    }
+
+    /// Sets a clock to its level after an edge at which its registers act, or after the other one.
+    fn level(&self, clock: usize, is_past_edge: bool) -> String {
+        format!("{} = 1'b{};", self.clocks[clock], u8::from(is_past_edge != self.falls[clock]))
     }
 
     /// The waits before and after the middle of a step.

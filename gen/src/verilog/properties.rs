@@ -116,7 +116,7 @@ impl Printer<'_> {
         if body.is_empty() {
             return body;
         }
-        let head = format!("always @(posedge {}) begin", self.clock_port(clock));
+        let head = format!("always @({}) begin", self.edge(clock));
         let body = body.into_iter().map(|line| format!("    {line}"));
         let block = [head].into_iter().chain(body).chain(["end".to_string()]);
         if !self.module.clocks[clock.0 as usize].kind.is_asynchronous() {

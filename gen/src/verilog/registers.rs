@@ -8,7 +8,7 @@ use super::plan::Form;
 use super::printer::Printer;
 use super::statement::{Statement, lines, merged};
 use tilewright_hdl::ir::{ClockId, NodeId, Op, Register};
-use tilewright_hdl::{Bits, Reset};
+use tilewright_hdl::{Bits, Edge, Reset};
 
 /// The common properties of the registers of one always block.
 #[derive(Clone, Copy)]
@@ -152,14 +152,18 @@ impl Printer<'_> {
         }
     }
 
-    /// The statements at the rising edge of a clock.
+    /// The statements at the edge of a clock.
     pub fn always_at(&mut self, clock: ClockId, body: &[Statement]) -> Vec<String> {
         always(&self.edge(clock), body)
     }
 
-    /// The rising edge of a clock.
-    fn edge(&mut self, clock: ClockId) -> String {
-        format!("posedge {}", self.clock_port(clock))
+    /// The edge of a clock at which its registers act.
+    pub fn edge(&mut self, clock: ClockId) -> String {
+        let edge = match self.module.clocks[clock.0 as usize].edge {
+            Edge::Rising => "posedge",
+            Edge::Falling => "negedge",
+        };
+        format!("{edge} {}", self.clock_port(clock))
     }
 
     /// The events that change the registers of a clock that a reset sets.

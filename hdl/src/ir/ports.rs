@@ -2,6 +2,7 @@
 
 use super::{ClockId, Kind, NodeId};
 use crate::clock::Period;
+use crate::edge::Edge;
 use crate::reset::Reset;
 
 /// A clock port of a module, and its reset.
@@ -26,6 +27,8 @@ pub struct Clock {
     pub reset: Option<String>,
     /// The kind of reset; [`Reset::Synchronous`] if nothing on this clock depends on it.
     pub kind: Reset,
+    /// The edge at which everything on the clock acts.
+    pub edge: Edge,
     /// The period; `None` for the default clock of a module, which takes the clock that its instance is given. At the
     /// top of a design, every clock has a period.
     pub period: Option<Period>,

@@ -298,6 +298,28 @@ fn a_clock_resets_in_one_way() {
 }
 
 #[test]
+fn a_clock_acts_on_one_edge() {
+    const OTHER: Clock = Clock::new("fast", Period::ns(4)).falling();
+    expect(
+        |m, i| {
+            let on = m.on(FAST).pipe("on", i.a.quasi_static("a test"));
+            m.on(OTHER).pipe("other", on)
+        },
+        "clock `fast` acts on its falling edge here and acts on its rising edge elsewhere [T810]
+         --> [m.on(OTHER).pipe(\"other\", on)]
+         `fast` is first used at [let on = m.on(FAST).pipe(\"on\", i.a.quasi_static(\"a test\"));]
+         help: a clock has one edge in the whole design: the opposite one is a clock of its own",
+    );
+    const INNER: Clock = Clock::new("inner", Period::ns(4)).falling();
+    expect(
+        |m, i| m.on(FAST).in_place_of(INNER, || m.on(INNER).pipe("inner", i.a.quasi_static("set once"))),
+        "clock `inner` acts on its falling edge, but `fast`, which runs in its place, acts on its rising edge [T832]
+         --> [|m, i| m.on(FAST).in_place_of(INNER, || m.on(INNER).pipe(\"inner\", i.a.quasi_static(\"set once\"))),]
+         help: give both clocks the same edge, or make the clock a parameter of the block",
+    );
+}
+
+#[test]
 fn the_port_of_a_reset_is_no_other_port() {
     block! {
         /// An input with a reset's name.

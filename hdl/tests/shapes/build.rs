@@ -3,7 +3,7 @@
 #![allow(dead_code)] // Each test takes what it needs.
 
 use tilewright_hdl::ir::*;
-use tilewright_hdl::{Bits, Loc, Period, ReadUnderWrite, Reset};
+use tilewright_hdl::{Bits, Edge, Loc, Period, ReadUnderWrite, Reset};
 
 /// A module under construction, with a default clock and a reset.
 pub struct Build {
@@ -22,6 +22,7 @@ impl Build {
             period: Some(Period::ns(10)),
             name: None,
             kind: Reset::Synchronous,
+            edge: Edge::Rising,
         };
         let module = Module {
             name: name.to_owned(),

@@ -8,7 +8,7 @@ use crate::testbench::lookup::{self, Found};
 use crate::testbench::port::Port;
 use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
-use crate::testbench::trace::{Draw, Dump, Messages, Recorder, Source, Start, Vcd, Wave, Window, header};
+use crate::testbench::trace::{ClockLine, Draw, Dump, Messages, Recorder, Source, Start, Vcd, Wave, Window, header};
 
 /// An item of a wave: a port, or anything with a name.
 ///
@@ -211,7 +211,11 @@ impl Running {
             sources.extend(self.sources(run, probe.into()));
         }
         self.engine.watch(&sources.iter().map(|source| source.value).collect::<Vec<_>>());
-        let clocks = self.program.clocks.iter().map(|clock| (clock.port.clone(), clock.period)).collect();
+        let clocks = self.program.clocks.iter().map(|clock| {
+            let (name, period, falls) = (clock.port.clone(), clock.period, clock.falls);
+            ClockLine { name, period, falls }
+        });
+        let clocks = clocks.collect();
         let wave = Wave::new(clocks, sources);
         self.observe_by(Box::new(Draw(wave.clone())));
         wave

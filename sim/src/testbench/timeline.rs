@@ -1,7 +1,8 @@
 //! The times at which clocks rise.
 //!
-//! Every clock is low at time 0. It rises first after one period, falls half a period later, and so on. An instant is
-//! a time at which one or more clocks rise. A circuit without clocks has an instant every 10 ns, at which nothing rises.
+//! Every clock is low at time 0. It rises first after one period, falls half a period later, and so on. A clock that
+//! acts where it falls has the opposite levels, and counts as rising where it falls. An instant is a time at which one
+//! or more clocks rise. A circuit without clocks has an instant every 10 ns, at which nothing rises.
 
 use crate::engine::Ticks;
 use crate::engine::program::Program;

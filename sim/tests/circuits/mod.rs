@@ -5,6 +5,7 @@ mod asserts;
 mod batch;
 #[path = "../../../hdl/tests/shapes/build.rs"]
 mod build;
+mod edges;
 mod engine;
 mod engines;
 mod every_engine;

@@ -5,7 +5,7 @@ use crate::spec::{Spec, Stimulus};
 use crate::{build, shaped, strategy, streams};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use tilewright_hdl::{DEFAULT_PERIOD, DefaultClock, Design, Problems, Reset, elaborate_at};
+use tilewright_hdl::{DEFAULT_PERIOD, DefaultClock, Design, Edge, Problems, Reset, elaborate_at};
 
 /// A random design, as plain data that shrinks.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -84,11 +84,14 @@ impl Drawn {
     /// The rules that it breaks, which is a mistake of this crate or of the language.
     pub fn design(&self, number: u64) -> Result<Design, Problems> {
         let name = format!("d{number}");
-        let [own, _] = self.stimulus().resets();
+        let ([own, _], [edge, _]) = (self.stimulus().resets(), self.stimulus().edges());
         Feature::from(own).used();
+        if edge == Edge::Falling {
+            Feature::Falling.used();
+        }
         match self {
             Drawn::Described(spec) => {
-                let clock = DefaultClock::new(DEFAULT_PERIOD).reset(own);
+                let clock = DefaultClock { edge, ..DefaultClock::new(DEFAULT_PERIOD).reset(own) };
                 with_own_library(elaborate_at(&build::top(spec, &name), clock)?, &name, own)
             }
             Drawn::Shaped(spec) => shaped::design(spec, &name),

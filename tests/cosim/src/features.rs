@@ -31,7 +31,7 @@ features! {
     CrossByFifo StreamStages ForkToMany SplitToMany ArbiterOfMany CodeInAStream SignedInAStream
     Counter ShiftRegister Lfsr Encoders Shifter Multiplier Crc
     Enabled Displayed WriteFirst Foreign
-    Synchronous SynchronousLow Asynchronous AsynchronousLow PowerOn
+    Synchronous SynchronousLow Asynchronous AsynchronousLow PowerOn Falling
     InitialInShapes UpdatesInShapes RecordInShapes CoverInShapes PastInShapes
 }
 

@@ -20,7 +20,7 @@ pub use instances::{Declared, Feed, Gather, Library, LibraryBlock};
 pub use lanes::{End, LaneWork, Work};
 pub use stores::{Contents, InParts, Memory, Read, Records, Rom, Write};
 use tilewright_hdl::ir::{Relation, Shift};
-use tilewright_hdl::{Radix, Reset};
+use tilewright_hdl::{Edge, Radix, Reset};
 
 /// The widest value that a step makes, in bits.
 pub const WIDEST: u32 = 280;
@@ -46,7 +46,7 @@ pub struct Spec {
 pub struct Stimulus {
     /// The instants simulated.
     pub steps: u8,
-    /// The seed of the values, and of the kinds of reset.
+    /// The seed of the values, of the kinds of reset and of the edges.
     pub seed: u64,
 }
 
@@ -55,6 +55,12 @@ impl Stimulus {
     pub fn resets(&self) -> [Reset; 2] {
         let mut numbers = Numbers(self.seed ^ 0x7265_7365_7473);
         [(), ()].map(|()| Reset::ALL[numbers.draw() as usize % Reset::ALL.len()])
+    }
+
+    /// The edges of the own clock and of the second one.
+    pub fn edges(&self) -> [Edge; 2] {
+        let mut numbers = Numbers(self.seed ^ 0x6564_6765_73);
+        [(), ()].map(|()| if numbers.draw().is_multiple_of(2) { Edge::Rising } else { Edge::Falling })
     }
 }
 

@@ -114,11 +114,14 @@ pub fn design(spec: &Spec, name: &str) -> Result<Design, Problems> {
     let [own, second] = spec.stimulus.resets();
     // Of a FIFO between clocks both sides are reset, or neither.
     let second = if [own, second].contains(&Reset::PowerOn) { own } else { second };
+    let [edge, other_edge] = spec.stimulus.edges();
     let clocks = clocks.map(|[first, other]| {
-        [(first, own), (other, second)].map(|((name, period), reset)| Clock::new(name, Period::ps(period)).reset(reset))
+        [(first, own, edge), (other, second, other_edge)]
+            .map(|((name, period), reset, edge)| Clock { edge, ..Clock::new(name, Period::ps(period)).reset(reset) })
     });
     let network = Network { width: spec.width, steps: spec.steps.clone(), clocks };
-    let mut modules = elaborate_at(&network, DefaultClock::new(DEFAULT_PERIOD).reset(own))?.into_modules();
+    let mut modules =
+        elaborate_at(&network, DefaultClock { edge, ..DefaultClock::new(DEFAULT_PERIOD).reset(own) })?.into_modules();
     modules.iter_mut().for_each(|module| module.name = format!("{name}_{}", module.name));
     modules.last_mut().expect("there is a top").name = name.to_owned();
     Design::new(modules)

@@ -3,6 +3,7 @@
 mod blocks;
 mod border;
 mod campaign;
+mod edges;
 mod matrix;
 mod pitfalls;
 mod recordings;

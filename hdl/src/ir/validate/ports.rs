@@ -120,6 +120,10 @@ impl Rules<'_> {
             self.rule(is_equal, loc, || {
                 format!("clock `{}` of {owner} is driven by `{}`, which has another period", clock.port, driver.port)
             });
+            self.rule(clock.edge == driver.edge, loc, || {
+                let (edge, other) = (clock.edge.words(), driver.edge.words());
+                format!("clock `{}` of {owner} {edge}, but `{}`, which drives it, {other}", clock.port, driver.port)
+            });
             self.rule(clock.reset.is_none() || driver.reset.is_some(), loc, || {
                 format!(
                     "clock `{}` of {owner} has a reset, but `{}`, which drives it, has none",

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
+use tilewright_hdl::Edge;
 use tilewright_hdl::ir::{self, Design, Instance, InstanceId, MemoryId, Module, ModuleId, Node, NodeId, Op};
 
 use super::hierarchy::{Replication, Scope, ScopeId};
@@ -363,6 +364,7 @@ fn program_clock(clock: &tilewright_hdl::ir::Clock) -> Clock {
         port: clock.port.clone(),
         reset: clock.reset.clone(),
         kind: clock.kind,
+        falls: clock.edge == Edge::Falling,
         period: clock.period.expect("the clocks of a top have periods").picoseconds(),
         triggers: Triggers::NONE,
         registers: Vec::new(),

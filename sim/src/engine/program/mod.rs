@@ -206,6 +206,8 @@ pub struct Clock {
     pub reset: Option<String>,
     /// The kind of reset.
     pub kind: Reset,
+    /// Its edges are where it falls; it is high before the first.
+    pub falls: bool,
     /// The period in picoseconds.
     pub period: u64,
     /// The causes that can make its edge have another effect than the last time.

@@ -36,8 +36,8 @@ pub(crate) struct Dump {
     resets: Vec<bool>,
     /// The end time of the text.
     time: u64,
-    /// When clocks fall in a step, and their indices; kept to avoid an allocation.
-    falls: Vec<(u64, usize)>,
+    /// When clocks return to their first level in a step, and their indices; kept to avoid an allocation.
+    backs: Vec<(u64, usize)>,
     /// The text that has not gone to the file yet.
     text: Changes,
     flight: Option<Flight>,
@@ -81,7 +81,7 @@ impl Dump {
             begun: false,
             resets: Vec::new(),
             time: 0,
-            falls: Vec::new(),
+            backs: Vec::new(),
             text: Changes::default(),
             flight: vcd.last.map(|capacity| Flight { capacity, steps: VecDeque::new() }),
         };
@@ -111,7 +111,7 @@ impl Dump {
         }
     }
 
-    /// Writes a time step: the values shown since its begin, and the clocks that fall within it.
+    /// Writes a time step: the values shown since its begin, and the clocks that return within it.
     fn step(&mut self, since: u64, until: u64, resets: &[bool]) {
         // If an assertion fails at an instant and the instant is tried again, it is shown again. Time continues from
         // the first attempt.
@@ -127,7 +127,7 @@ impl Dump {
             self.begun = true;
         }
         self.time = at;
-        self.falls(at, until, resets);
+        self.backs(at, until, resets);
         self.flush_much();
     }
 
@@ -139,10 +139,10 @@ impl Dump {
             change(text, &header.variables[number], limbs);
         });
         for (index, clock) in header.clocks.iter().enumerate() {
-            let high = clock.is_high(at);
-            if let Some(id) = clock.id.filter(|_| !self.begun || high != clock.is_high(self.time)) {
+            let past_edge = clock.is_past_edge(at);
+            if let Some(id) = clock.id.filter(|_| !self.begun || past_edge != clock.is_past_edge(self.time)) {
                 text.at(at);
-                text.bit(id, high);
+                text.bit(id, clock.level(past_edge));
             }
             let before = self.resets.get(index).copied();
             let reset = resets[index] || before == Some(true) && clock.releases_later(at);
@@ -157,23 +157,23 @@ impl Dump {
         }
     }
 
-    /// Writes the clocks that are high at `since` and fall before `until`, and the releases that waited for that.
-    fn falls(&mut self, since: u64, until: u64, resets: &[bool]) {
-        let Dump { text, header, time, falls, .. } = self;
-        let falling = header.clocks.iter().enumerate();
-        let falling = falling.filter_map(|(index, clock)| Some((clock.fall(since)?, index)));
-        falls.clear();
-        falls.extend(falling.filter(|&(fall, _)| *time < fall && fall < until));
+    /// Writes the clocks that return to their first level before `until`, and the releases that waited for that.
+    fn backs(&mut self, since: u64, until: u64, resets: &[bool]) {
+        let Dump { text, header, time, backs, .. } = self;
+        let returning = header.clocks.iter().enumerate();
+        let returning = returning.filter_map(|(index, clock)| Some((clock.back(since)?, index)));
+        backs.clear();
+        backs.extend(returning.filter(|&(back, _)| *time < back && back < until));
         // At one time, the sequence of the clocks remains.
-        falls.sort_by_key(|fall| fall.0);
-        for &(fall, index) in &*falls {
+        backs.sort_by_key(|back| back.0);
+        for &(back, index) in &*backs {
             let clock = &header.clocks[index];
-            text.at(fall);
-            clock.id.into_iter().for_each(|id| text.bit(id, false));
+            text.at(back);
+            clock.id.into_iter().for_each(|id| text.bit(id, clock.level(false)));
             if std::mem::replace(&mut self.resets[index], resets[index]) != resets[index] {
                 clock.reset_id.into_iter().for_each(|id| text.bit(id, clock.reset_level(resets[index])));
             }
-            *time = fall;
+            *time = back;
         }
     }
 
@@ -244,7 +244,7 @@ impl Observer for Dump {
         let done = rows.take(view, count, shown, header, text);
         if done.edges > 0 {
             let last = view.since + (done.edges - 1) * period;
-            self.time = header.clocks[0].fall(last).unwrap_or(last);
+            self.time = header.clocks[0].back(last).unwrap_or(last);
         }
         self.flush_much();
         Ok(done)

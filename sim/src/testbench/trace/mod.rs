@@ -28,7 +28,7 @@ pub use vcd::Vcd;
 pub(crate) use vcd::Window;
 pub(crate) use vcd_header::header;
 pub use wave::Wave;
-pub(crate) use wave::{Draw, Source};
+pub(crate) use wave::{ClockLine, Draw, Source};
 
 /// The view of an observer: the circuit settled before an edge.
 pub(crate) struct View<'a> {

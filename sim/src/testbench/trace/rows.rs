@@ -77,17 +77,17 @@ impl Rows {
             self.last.as_flattened_mut().iter_mut().zip(shown.row()).for_each(|(last, limb)| *last = limb);
         }
         let clock = &header.clocks[0];
-        let fall = clock.fall(view.until).map(|fall| fall - view.until);
+        let back = clock.back(view.until).map(|back| back - view.until);
         let mut time = view.since;
         for row in rows.chunks_exact(self.length) {
             self.row(row, time, header, text);
-            if let Some(fall) = fall {
+            if let Some(back) = back {
                 if let Some(id) = clock.id {
                     text.at(time);
-                    text.bit(id, true);
+                    text.bit(id, clock.level(true));
                 }
-                text.at(time + fall);
-                clock.id.into_iter().for_each(|id| text.bit(id, false));
+                text.at(time + back);
+                clock.id.into_iter().for_each(|id| text.bit(id, clock.level(false)));
             }
             time += view.until - view.since;
         }

@@ -44,12 +44,18 @@ pub(crate) struct Clock {
     pub id: Option<Id>,
     pub reset_id: Option<Id>,
     kind: Reset,
+    falls: bool,
 }
 
 impl Clock {
-    /// Its level from this time on.
-    pub fn is_high(&self, time: u64) -> bool {
+    /// Whether its last change up to this time was an edge at which registers act.
+    pub fn is_past_edge(&self, time: u64) -> bool {
         time >= self.period && time % self.period < self.period / 2
+    }
+
+    /// The level of its port after an edge at which registers act, or else after the other one.
+    pub fn level(&self, is_past_edge: bool) -> bool {
+        is_past_edge != self.falls
     }
 
     /// The level of its reset port.
@@ -57,14 +63,14 @@ impl Clock {
         is_active != self.kind.is_active_low()
     }
 
-    /// Whether the end of its reset, released after the instant at this time, is shown when the clock falls. If an
+    /// Whether the end of its reset, released after the instant at this time, is shown when the clock returns. If an
     /// asynchronous reset ended just at an edge, a reader could not tell whether it still resets there.
     pub fn releases_later(&self, time: u64) -> bool {
         self.kind.is_asynchronous() && time > 0 && time.is_multiple_of(self.period)
     }
 
-    /// The time at which it falls, if it is high at this time.
-    pub fn fall(&self, time: u64) -> Option<u64> {
+    /// The time at which it returns to its first level, if it has not at this time.
+    pub fn back(&self, time: u64) -> Option<u64> {
         let since = time % self.period;
         (time >= self.period && since < self.period / 2).then(|| time - since + self.period / 2)
     }
@@ -88,6 +94,7 @@ pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result
         id: None,
         reset_id: None,
         kind: clock.kind,
+        falls: clock.falls,
     };
     build.header.clocks = program.clocks.iter().map(clock).collect();
     build.write().expect("writing to memory does not fail");

@@ -51,13 +51,22 @@ pub struct Wave {
 
 #[derive(Debug)]
 struct Data {
-    clocks: Vec<(String, u64)>,
+    clocks: Vec<ClockLine>,
     rows: Vec<Row>,
     /// The start and end of every column, in picoseconds.
     columns: Vec<(u64, u64)>,
     /// The shown range of time, in picoseconds.
     times: Range<u64>,
     is_over: bool,
+}
+
+/// A clock's line.
+#[derive(Debug)]
+pub(crate) struct ClockLine {
+    pub name: String,
+    pub period: u64,
+    /// Its edges are where it falls.
+    pub falls: bool,
 }
 
 #[derive(Debug)]
@@ -80,7 +89,7 @@ pub(crate) struct Source {
 }
 
 impl Wave {
-    pub(crate) fn new(clocks: Vec<(String, u64)>, sources: Vec<Source>) -> Wave {
+    pub(crate) fn new(clocks: Vec<ClockLine>, sources: Vec<Source>) -> Wave {
         let rows = sources.into_iter().map(|source| Row { source, values: Vec::new(), radix: None }).collect();
         let data = Data { clocks, rows, columns: Vec::new(), times: 0..u64::MAX, is_over: false };
         Wave { data: Arc::new(Mutex::new(data)) }
@@ -198,8 +207,8 @@ impl Wave {
     pub fn cycles(self, clock: impl AsRef<str>, cycles: Range<u64>) -> Wave {
         let (clock, data) = (clock.as_ref(), self.data());
         let is_it = |port: &str| port == clock || port.strip_suffix("_clk") == Some(clock);
-        let period = data.clocks.iter().find(|(port, _)| is_it(port)).map(|(_, period)| *period);
-        let names: Vec<String> = data.clocks.iter().map(|(port, _)| port.clone()).collect();
+        let period = data.clocks.iter().find(|clock| is_it(&clock.name)).map(|clock| clock.period);
+        let names: Vec<String> = data.clocks.iter().map(|clock| clock.name.clone()).collect();
         drop(data);
         match period {
             Some(period) => self.times(cycles.start.saturating_mul(period)..cycles.end.saturating_mul(period)),
@@ -285,7 +294,7 @@ impl Observer for Draw {
 impl fmt::Display for Wave {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let data = self.data();
-        let names = data.clocks.iter().map(|(name, _)| name).chain(data.rows.iter().map(|row| &row.source.name));
+        let names = data.clocks.iter().map(|clock| &clock.name).chain(data.rows.iter().map(|row| &row.source.name));
         let label = names.clone().map(|name| name.len()).max().unwrap_or(0);
         let column = data.column_width();
         let per_block = (LINE.saturating_sub(label + 2) / column).max(1);
@@ -294,8 +303,8 @@ impl fmt::Display for Wave {
             if start > 0 {
                 writeln!(f)?;
             }
-            for (name, period) in &data.clocks {
-                writeln!(f, "{name:label$} |{}", clock(*period, &data.columns[range.clone()], column))?;
+            for clock in &data.clocks {
+                writeln!(f, "{:label$} |{}", clock.name, clock.line(&data.columns[range.clone()], column))?;
             }
             for row in &data.rows {
                 let line = row.line(range.clone(), column);
@@ -366,8 +375,25 @@ fn cell(text: &str, width: usize) -> String {
     format!(" {text:room$} |")
 }
 
-/// A clock's line: it rises at every multiple of its period and falls half a period later.
-fn clock(period: u64, columns: &[(u64, u64)], width: usize) -> String {
+impl ClockLine {
+    /// Its line in characters.
+    fn line(&self, columns: &[(u64, u64)], width: usize) -> String {
+        let line = rising(self.period, columns, width);
+        if !self.falls {
+            return line;
+        }
+        let inverted = |c| match c {
+            '~' => '_',
+            '_' => '~',
+            '/' => '\\',
+            _ => '/',
+        };
+        line.chars().map(inverted).collect()
+    }
+}
+
+/// The line of a clock that rises at every multiple of its period and falls half a period later.
+fn rising(period: u64, columns: &[(u64, u64)], width: usize) -> String {
     let is_high = |time: u64| time >= period && time % period < period / 2;
     let mut line = String::new();
     for &(since, until) in columns {

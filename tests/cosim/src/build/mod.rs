@@ -112,8 +112,8 @@ impl PartBlock {
     }
 
     fn second(&self) -> Option<Clock> {
-        let [_, reset] = self.spec.stimulus.resets();
-        self.spec.second_period.map(|period| Clock::new("second", Period::ps(period)).reset(reset))
+        let ([_, reset], [_, edge]) = (self.spec.stimulus.resets(), self.spec.stimulus.edges());
+        self.spec.second_period.map(|period| Clock { edge, ..Clock::new("second", Period::ps(period)).reset(reset) })
     }
 
     /// The clock's place in the bundles.

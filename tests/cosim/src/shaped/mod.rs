@@ -16,8 +16,9 @@ use tilewright_hdl::{Design, Problems, Reset};
 pub fn design(spec: &Spec, name: &str) -> Result<Design, Problems> {
     let mut modules = build::modules(spec, name);
     // An instance's own clock may be either of its parent's, so both are of one kind.
-    let [kind, _] = spec.stimulus.resets();
+    let ([kind, _], [edge, _]) = (spec.stimulus.resets(), spec.stimulus.edges());
     modules.iter_mut().for_each(|module| set_resets(module, kind));
+    modules.iter_mut().flat_map(|module| &mut module.clocks).for_each(|clock| clock.edge = edge);
     Design::new(modules)
 }
 

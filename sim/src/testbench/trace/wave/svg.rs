@@ -47,7 +47,7 @@ impl Wave {
                 block.label(&mut svg, line, top);
                 match line {
                     Line::Group(_) => {}
-                    Line::Clock(clock) => block.clock(&mut svg, data.clocks[*clock].1, top),
+                    Line::Clock(clock) => block.clock(&mut svg, &data.clocks[*clock], top),
                     Line::Row { row, .. } => block.row(&mut svg, &data.rows[*row], top),
                 }
             }

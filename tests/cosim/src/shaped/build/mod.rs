@@ -72,6 +72,7 @@ impl<'a> Builder<'a> {
             period: Some(Period::ps(period)),
             name: Some("second"),
             kind: tilewright_hdl::Reset::Synchronous,
+            edge: tilewright_hdl::Edge::Rising,
         }));
         let mut shapes = vec![Shape::Plain];
         for &shape in &part.shapes {

@@ -56,7 +56,7 @@ impl<'a> Layout<'a> {
     pub fn new(data: &'a Data) -> Layout<'a> {
         let lines = lines(data);
         let length = |line: &Line| match line {
-            Line::Clock(clock) => data.clocks[*clock].0.len(),
+            Line::Clock(clock) => data.clocks[*clock].name.len(),
             Line::Group(name) => name.len(),
             Line::Row { name, is_field, .. } => name.len() + if *is_field { 2 } else { 0 },
         };
@@ -194,7 +194,7 @@ fn record(data: &Data, row: usize) -> Option<&str> {
 
 /// So that values can be read, as far as that makes no clock too wide.
 fn scale(data: &Data) -> f64 {
-    let period = data.clocks.iter().map(|(_, period)| *period).min().unwrap_or(1).max(1) as f64;
+    let period = data.clocks.iter().map(|clock| clock.period).min().unwrap_or(1).max(1) as f64;
     let buses = data.rows.iter().filter(|row| !row.is_bit());
     let needed = buses.flat_map(|row| row.spans(0..row.values.len())).map(|(columns, text)| {
         let time = data.columns[columns.end - 1].1 - data.columns[columns.start].0;

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::ops::Range;
 
-use super::super::Row;
+use super::super::{ClockLine, Row};
 use super::escaped;
 use super::layout::{Block, DIGIT, HEXAGON, HIGH, Line, tenths};
 use tilewright_hdl::ir::Kind;
@@ -17,7 +17,7 @@ const TICK: f64 = 64.0;
 impl Block<'_> {
     /// The edges of the first clock, and the times of some of them.
     pub fn axis(&self, svg: &mut String) {
-        let Some((_, period)) = self.data.clocks.first() else { return };
+        let Some(ClockLine { period, .. }) = self.data.clocks.first() else { return };
         let ((top, bottom), times) = (self.ends(), self.times());
         let (mut path, mut last) = (String::new(), f64::NEG_INFINITY);
         for edge in (times.start.div_ceil(*period)..=times.end / period).map(|number| number * period) {
@@ -39,7 +39,7 @@ impl Block<'_> {
     /// The name of a line.
     pub fn label(&self, svg: &mut String, line: &Line, top: f64) {
         let (class, name) = match line {
-            Line::Clock(clock) => ("", self.data.clocks[*clock].0.as_str()),
+            Line::Clock(clock) => ("", self.data.clocks[*clock].name.as_str()),
             Line::Group(name) => (" class=\"group\"", name.as_str()),
             Line::Row { name, .. } => ("", name.as_str()),
         };
@@ -47,17 +47,17 @@ impl Block<'_> {
         let _ = writeln!(svg, "<text{class} x=\"{x}\" y=\"{y}\" text-anchor=\"end\">{}</text>", escaped(name));
     }
 
-    /// A clock rises at every multiple of its period and falls half a period later.
-    pub fn clock(&self, svg: &mut String, period: u64, top: f64) {
-        let times = self.times();
-        let level = |is_high: bool| if is_high { top } else { top + HIGH };
-        let is_high = |time: u64| time >= period && time % period < period / 2;
-        let mut path = format!("M{} {}", self.x(times.start), level(is_high(times.start)));
+    /// A clock has an edge at every multiple of its period, and returns half a period later.
+    pub fn clock(&self, svg: &mut String, clock: &ClockLine, top: f64) {
+        let (times, period) = (self.times(), clock.period);
+        let level = |is_past_edge: bool| if is_past_edge != clock.falls { top } else { top + HIGH };
+        let is_past_edge = |time: u64| time >= period && time % period < period / 2;
+        let mut path = format!("M{} {}", self.x(times.start), level(is_past_edge(times.start)));
         let mut at = times.start - times.start % period;
         while at < times.end {
-            for (change, is_high) in [(at, at >= period), (at + period / 2, false)] {
+            for (change, is_past_edge) in [(at, at >= period), (at + period / 2, false)] {
                 if change > times.start && change < times.end {
-                    let _ = write!(path, "H{}V{}", self.x(change), level(is_high));
+                    let _ = write!(path, "H{}V{}", self.x(change), level(is_past_edge));
                 }
             }
             at += period;
@@ -112,7 +112,7 @@ impl Block<'_> {
 
     /// A dot at each edge at which an item of a stream is taken.
     pub fn taken(&self, svg: &mut String) {
-        let [(_, period)] = &self.data.clocks[..] else { return };
+        let [ClockLine { period, .. }] = &self.data.clocks[..] else { return };
         for [valid, ready] in self.layout.streams() {
             let is_high = |row: usize, column: usize| self.data.rows[row].values[column].bit(0);
             let lines = self.layout.lines().iter().zip(self.tops());
