@@ -77,6 +77,8 @@ block! {
     /// from one port to another. Reads and writes do not wait for each other. A read at the same edge as a write gives
     /// the old word.
     ///
+    /// In Verilog the ports have the names of the standard, such as `s_axi_awvalid`, so that a packager infers the interface.
+    ///
     /// ```
     /// # use tilewright_blocks::{AxiLiteAddress, AxiLiteData, AxiLiteRegisters};
     /// # use tilewright_sim::Simulation;
@@ -112,6 +114,7 @@ block! {
         /// Every word has an address.
         address: self.fewest_bits()..=64,
     }
+    port_names { aw: "s_axi_aw", w: "s_axi_w", b: "s_axi_b", ar: "s_axi_ar", r: "s_axi_r" }
     latency = "1 clock";
     in(self) AxiLiteRegistersIn {
         /// Write addresses.

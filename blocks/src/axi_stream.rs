@@ -48,7 +48,7 @@ block! {
     ///
     /// Latency 1 clock from the last byte of a beat, a byte a clock. A packet begins with a beat of its own. The last
     /// beat of a packet keeps its lowest bytes, and the others have no meaning. No `valid` waits for `ready`, and
-    /// `beats.ready` passes to `bytes.ready`.
+    /// `beats.ready` passes to `bytes.ready`. In Verilog the beats are the interface `m_axis`, with `m_axis_tdata`.
     ///
     /// ```
     /// # use tilewright_blocks::{AxiBeat, PacketByte, ToAxiStream};
@@ -69,6 +69,7 @@ block! {
         pub lanes: u32,
     }
     ranges { lanes: 1..=128 }
+    port_names { beats: "m_axis_t" }
     latency = "1 clock";
     in ToAxiStreamIn {
         /// The bytes of packets.
@@ -120,7 +121,7 @@ block! {
     /// byte gives nothing.
     ///
     /// Latency 2 clocks, a byte a clock. A beat without a byte takes a clock. No `valid` waits for `ready`, and
-    /// `bytes.ready` passes to `beats.ready`.
+    /// `bytes.ready` passes to `beats.ready`. In Verilog the beats are the interface `s_axis`, with `s_axis_tdata`.
     ///
     /// ```
     /// # use tilewright_blocks::{AxiBeat, FromAxiStream, PacketByte};
@@ -139,6 +140,7 @@ block! {
         pub lanes: u32,
     }
     ranges { lanes: 1..=128 }
+    port_names { beats: "s_axis_t" }
     latency = "2 clocks";
     in(self) FromAxiStreamIn {
         /// The beats of packets.

@@ -148,10 +148,10 @@ fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("video-timing", "hsync"), [1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1]);
     assert_eq!(values("video-timing", "vsync"), [1, 0, 1]);
     assert_eq!(values("tmds-encoder", "symbol")[4..6], [0x100, 0x3ff]);
-    assert_eq!(values("to-axi-stream", "beats_keep"), [0, 1, 3, 1]);
+    assert_eq!(values("to-axi-stream", "m_axis_tkeep"), [0, 1, 3, 1]);
     assert_eq!(values("from-axi-stream", "bytes_byte"), [0, 0x61, 0x62, 0x63, 0x64]);
     assert_eq!(values("axi-lite-registers", "registers_0"), [0, 0x1234_5678, 0x12bb_cc78]);
-    assert_eq!(values("axi-lite-registers", "r_data"), [0, 0x1234_5678, 0xbeef, 0, 0x12bb_cc78, 0]);
+    assert_eq!(values("axi-lite-registers", "s_axi_rdata"), [0, 0x1234_5678, 0xbeef, 0, 0x12bb_cc78, 0]);
     assert_eq!(values("spi-master", "cs_n"), [1, 0, 1, 0, 1]);
     assert_eq!(values("sdram-controller", "dq_enable"), [0, 1, 0]);
     assert_eq!(values("sdram-controller", "pins_dqm"), [3, 0]);

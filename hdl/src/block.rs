@@ -190,6 +190,34 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
         None
     }
 
+    /// The names that ports have in place of their own: the clause `port_names` of [`block!`](crate::block!).
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// block! {
+    ///     /// Doubles numbers.
+    ///     struct Doubler;
+    ///     port_names { numbers: "s_axis_t", doubled: "m_axis_t" }
+    ///     in DoublerIn { numbers: stream(struct Number { data: bits(8) }) }
+    ///     out DoublerOut { doubled: stream(Number { data: bits(8) }) }
+    /// }
+    ///
+    /// impl Doubler {
+    ///     fn build(&self, _: Module, i: DoublerIn) -> DoublerOut {
+    ///         let data = i.numbers.data << 1;
+    ///         DoublerOut { doubled: i.numbers.with(Number { data }) }
+    ///     }
+    /// }
+    ///
+    /// let design = elaborate(&Doubler)?;
+    /// let inputs: Vec<_> = design.top().inputs.iter().map(|input| &*input.name).collect();
+    /// assert_eq!(inputs, ["s_axis_tvalid", "s_axis_tdata", "m_axis_tready"]);
+    /// # Ok::<(), Problems>(())
+    /// ```
+    fn port_names(&self) -> Vec<(&'static str, String)> {
+        Vec::new()
+    }
+
     /// Whether it is a [`Pad`](crate::Pad).
     #[doc(hidden)]
     fn is_pad(&self) -> bool {

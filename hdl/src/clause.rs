@@ -5,7 +5,7 @@
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no clause of a block",
     label = "a clause is expected here",
-    note = "the clauses are `ranges {{ .. }}`, `name = ..;`, `foreign = ..;`, `latency = ..;`, `source = ..;`, `in Name {{ .. }}` and `out Name {{ .. }}`, each at most once; one whose expressions use `self` has `(self)` after its first word"
+    note = "the clauses are `ranges {{ .. }}`, `name = ..;`, `foreign = ..;`, `port_names {{ .. }}`, `latency = ..;`, `source = ..;`, `in Name {{ .. }}` and `out Name {{ .. }}`, each at most once; one whose expressions use `self` has `(self)` after its first word"
 )]
 pub trait ClauseOfABlock {}
 
@@ -16,6 +16,7 @@ macro_rules! no_clause {
     (ranges ranges) => { compile_error!("a block has one clause `ranges`, as in `ranges { depth: 2..=8, side: powers_of_two(2..=256) }`"); };
     (name name) => { compile_error!("a block has one clause `name`, as in `name = \"uart\";`"); };
     (foreign foreign) => { compile_error!("a block has one clause `foreign`, as in `foreign = Foreign::module(\"EHXPLLL\").capitals();`"); };
+    (port_names port_names) => { compile_error!("a block has one clause `port_names`, as in `port_names { beats: \"s_axis_t\" }`"); };
     (latency latency) => { compile_error!("a block has one clause `latency`, as in `latency = \"2 clocks\";`"); };
     (source source) => { compile_error!("a block has one clause `source`, as in `source = \"section 3\";`"); };
     (in in) => { compile_error!("a block has one clause `in`, as in `in AdderIn { a: bits(8) }` or `in(self) AdderIn { a: bits(self.width) }`"); };
@@ -30,6 +31,6 @@ macro_rules! no_clause {
         };
     };
     ($($other:tt)*) => {
-        compile_error!("the clauses of a block are `ranges { .. }`, `name = ..;`, `foreign = ..;`, `latency = ..;`, `source = ..;`, `in Name { .. }` and `out Name { .. }`");
+        compile_error!("the clauses of a block are `ranges { .. }`, `name = ..;`, `foreign = ..;`, `port_names { .. }`, `latency = ..;`, `source = ..;`, `in Name { .. }` and `out Name { .. }`");
     };
 }

@@ -7,6 +7,7 @@ use crate::in_place_of::{OwnPeriod, Renamed};
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::module::port_name;
+use crate::port_names::{PortNames, named};
 use crate::reset::Reset;
 use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
@@ -60,6 +61,8 @@ pub(crate) struct Draft {
     /// further problem with them is reported. Registers and wires are declared, so their values do not count as
     /// computed.
     pub stand_ins: BTreeSet<NodeId>,
+    /// The names that the description gives to ports.
+    pub port_names: PortNames,
     /// The module of somebody else for which this one is a model.
     pub foreign: Option<Foreign>,
     /// Whether it is a pad.
@@ -169,6 +172,7 @@ impl Draft {
             unpacked: Vec::new(),
             in_problems: BTreeSet::new(),
             stand_ins: BTreeSet::new(),
+            port_names: Vec::new(),
             foreign: None,
             is_pad: false,
             unmodelled: None,
@@ -184,21 +188,23 @@ impl Draft {
 
     /// The name of the port with this path in a bundle.
     pub fn port(&self, path: &str) -> String {
-        self.foreign.as_ref().map_or_else(|| port_name("", path), |foreign| foreign.port_called(path))
+        let usual = || self.foreign.as_ref().map_or_else(|| port_name("", path), |foreign| foreign.port_called(path));
+        named(&self.port_names, path).unwrap_or_else(usual)
     }
 
     /// The name of the port of a clock.
     pub fn clock_port(&self, clock: Option<Clock>) -> String {
         let given = self.foreign.as_ref().and_then(|foreign| foreign.clock_port(clock));
-        given.map_or_else(|| clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name)), str::to_owned)
+        let usual = clock.map_or("clk".to_owned(), |clock| format!("{}_clk", clock.name));
+        given.map(str::to_owned).or_else(|| named(&self.port_names, &usual)).unwrap_or(usual)
     }
 
     /// The name of the port of a clock's reset; `None` if it has none.
     pub fn reset_port(&self, id: ClockId) -> Option<String> {
         let clock = self.clocks[id.0 as usize];
-        let port = self.reset_of(id).port(clock.map(|clock| clock.name))?;
+        let usual = self.reset_of(id).port(clock.map(|clock| clock.name))?;
         let given = self.foreign.as_ref().and_then(|foreign| foreign.reset_port(clock));
-        Some(given.map_or(port, str::to_owned))
+        Some(given.map(str::to_owned).or_else(|| named(&self.port_names, &usual)).unwrap_or(usual))
     }
 
     /// The name with the prefix of the part that is being described.

@@ -205,6 +205,7 @@ pub(crate) fn elaborate_module<B: Block>(
         e.drafts.push(Draft {
             declared,
             is_pad: block.is_pad(),
+            port_names: block.port_names(),
             gated: gated.clone(),
             ..Draft::new(serial, name, own, loc)
         });

@@ -10,6 +10,7 @@ use crate::in_bounds;
 use crate::ir::*;
 use crate::loc::Loc;
 use crate::past;
+use crate::port_names;
 use crate::reset::Reset;
 use crate::signal::Signal;
 use crate::stream::DraftStream;
@@ -40,6 +41,7 @@ pub(crate) fn finish(
     let name = named_after(name, depends, draft.own, e.own);
     let reset_ports: Vec<_> = resets.iter().map(|reset| reset.as_ref().and_then(|(_, port)| port.clone())).collect();
     let name = check::naming::check(&mut draft, &e.done, &outputs, &reset_ports, name, problems);
+    port_names::check(&draft, &outputs, problems);
     check::unused::check(&draft, &outputs, problems);
     check::foreign::check(&draft, &e.done, &outputs, problems);
     let sound = check::loops::check(&draft, &e.summaries, problems);

@@ -112,6 +112,7 @@ mod operand;
 mod pad;
 mod parts;
 mod past;
+mod port_names;
 mod problem;
 mod property;
 mod radix;

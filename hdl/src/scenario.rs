@@ -8,6 +8,7 @@ use crate::fields::{Fields, Leaf};
 use crate::integers::{Integer, not_negative};
 use crate::loc::Loc;
 use crate::module::port_name;
+use crate::port_names::{PortNames, named};
 use crate::stream::backwards;
 use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
@@ -69,6 +70,7 @@ pub struct Event {
 /// ```
 pub struct Script<B: Block> {
     widths: <B::In as Bundle>::Of<Width>,
+    names: PortNames,
     period: u64,
     /// The time of the next row: a quarter of a period after an edge.
     at_ps: u64,
@@ -89,7 +91,7 @@ impl<B: Block> Script<B> {
         let widths = block.inputs();
         let last = widths.leaves().iter().map(|(_, width)| Bits::zero(all_lanes(*width))).collect();
         let period = period.picoseconds();
-        Script { widths, period, at_ps: period / 4, last, events: Vec::new() }
+        Script { widths, names: block.port_names(), period, at_ps: period / 4, last, events: Vec::new() }
     }
 
     /// From now on, a row is a clock of this period.
@@ -174,13 +176,15 @@ impl<B: Block> Script<B> {
             panic!("input{uneven} is a list of {needs}, but a list of {has} is given, at {loc}");
         }
         let rows = values.into_iter().zip(widths).zip(&mut self.last).zip(back);
+        let mut changed = Vec::new();
         for ((((path, value), (_, width)), last), _) in rows.filter(|(_, back)| !back) {
             let value = bits(all_lanes(width), &value);
             if value != *last {
-                self.events.push(Event { at_ps: self.at_ps, input: port_name("", &path), value: value.clone() });
+                changed.push((path, value.clone()));
                 *last = value;
             }
         }
+        changed.into_iter().for_each(|(path, value)| self.event(&path, value));
         self.wait(1);
     }
 
@@ -217,8 +221,13 @@ impl<B: Block> Script<B> {
     /// assert_eq!(inputs, ["sums_ready", "words_valid", "words_payload"]);
     /// ```
     pub fn ready(&mut self, stream: &str, is_ready: bool) {
-        let input = port_name("", &format!("{stream}.ready"));
-        self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(1, is_ready.into()) });
+        self.event(&format!("{stream}.ready"), Bits::new(1, is_ready.into()));
+    }
+
+    /// The port with this path gets a value now.
+    fn event(&mut self, path: &str, value: Bits) {
+        let input = named(&self.names, path).unwrap_or_else(|| port_name("", path));
+        self.events.push(Event { at_ps: self.at_ps, input, value });
     }
 
     /// Adds clocks with the same inputs.

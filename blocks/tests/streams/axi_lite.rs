@@ -17,7 +17,17 @@ fn at(addr: u64) -> AxiLiteAddress<u64> {
 fn a_write_a_clock_until_an_answer_waits() {
     let mut sim = Simulation::of(&AxiLiteRegisters { address: 4, width: 32, registers: 2, status: 0 }).unwrap();
     sim.reset();
-    let names = ["aw_valid", "aw_addr", "aw_ready", "w_valid", "w_data", "w_ready", "b_valid", "b_resp", "b_ready"];
+    let names = [
+        "s_axi_awvalid",
+        "s_axi_awaddr",
+        "s_axi_awready",
+        "s_axi_wvalid",
+        "s_axi_wdata",
+        "s_axi_wready",
+        "s_axi_bvalid",
+        "s_axi_bresp",
+        "s_axi_bready",
+    ];
     let wave = sim.record(names.into_iter().chain(["registers_0", "registers_1", "written"]));
     let rows = [
         (Some(0), Some(0x11), 1),
@@ -42,19 +52,19 @@ fn a_write_a_clock_until_an_answer_waits() {
     }
     wave.expect(
         r"
-        clk         |~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/
-        aw_valid    |~~~~~~~~~~~~~~\_________/~~~~~~~~~\_______________
-        aw_addr     | 0  | 4  | 8  | 0            | 4  | 0            |
-        aw_ready    |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_________/~~~~~
-        w_valid     |~~~~~~~~~~~~~~~~~~~\_________/~~~~\_______________
-        w_data      | 11 | 22 | 33 | 44 | 0       | 55 | 0            |
-        w_ready     |~~~~~~~~~~~~~~~~~~~\_________/~~~~\_________/~~~~~
-        b_valid     |____/~~~~~~~~~~~~~~\_________/~~~~~~~~~~~~~~~~~~~~
-        b_resp      | Okay         | Slverr       | Okay              |
-        b_ready     |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_________/~~~~~~~~~~
-        registers_0 | 0  | 11                     | 44                |
-        registers_1 | 0       | 22                               | 55 |
-        written     | 0  | 1  | 2  | 0            | 1  | 0       | 2  |",
+        clk           |~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/
+        s_axi_awvalid |~~~~~~~~~~~~~~\_________/~~~~~~~~~\_______________
+        s_axi_awaddr  | 0  | 4  | 8  | 0            | 4  | 0            |
+        s_axi_awready |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_________/~~~~~
+        s_axi_wvalid  |~~~~~~~~~~~~~~~~~~~\_________/~~~~\_______________
+        s_axi_wdata   | 11 | 22 | 33 | 44 | 0       | 55 | 0            |
+        s_axi_wready  |~~~~~~~~~~~~~~~~~~~\_________/~~~~\_________/~~~~~
+        s_axi_bvalid  |____/~~~~~~~~~~~~~~\_________/~~~~~~~~~~~~~~~~~~~~
+        s_axi_bresp   | Okay         | Slverr       | Okay              |
+        s_axi_bready  |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_________/~~~~~~~~~~
+        registers_0   | 0  | 11                     | 44                |
+        registers_1   | 0       | 22                               | 55 |
+        written       | 0  | 1  | 2  | 0            | 1  | 0       | 2  |",
     );
 }
 
@@ -62,7 +72,16 @@ fn a_write_a_clock_until_an_answer_waits() {
 fn a_read_at_the_edge_of_a_write_gives_the_old_word() {
     let mut sim = Simulation::of(&AxiLiteRegisters { address: 5, width: 64, registers: 1, status: 1 }).unwrap();
     sim.reset();
-    let names = ["ar_valid", "ar_addr", "ar_ready", "r_valid", "r_data", "r_resp", "r_ready", "registers_0"];
+    let names = [
+        "s_axi_arvalid",
+        "s_axi_araddr",
+        "s_axi_arready",
+        "s_axi_rvalid",
+        "s_axi_rdata",
+        "s_axi_rresp",
+        "s_axi_rready",
+        "registers_0",
+    ];
     let wave = sim.record(names);
     sim.set(sim.i.status[0], 0x99);
     sim.set(sim.i.aw.valid, 1);
@@ -81,15 +100,15 @@ fn a_read_at_the_edge_of_a_write_gives_the_old_word() {
     }
     wave.expect(
         r"
-        clk         |~~~~\___/~~~~\___/~~~~\___/~~~~\___/~~~~\___/~~~~\___/~~~~\___/~~~~\___/
-        ar_valid    |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\__________________
-        ar_addr     | 0      | 7      | 8      | 10     | 0                                 |
-        ar_ready    |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\________/~~~~~~~~~~~~~~~~~~~~~~~~~~~
-        r_valid     |________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_________
-        r_data      | 0               | 34     | 99              | 0      | 34              |
-        r_resp      | Okay                                       | Slverr | Okay            |
-        r_ready     |~~~~~~~~~~~~~~~~~~~~~~~~~~\________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-        registers_0 | 0      | 34                                                           |",
+        clk           |~~~~\___/~~~~\___/~~~~\___/~~~~\___/~~~~\___/~~~~\___/~~~~\___/~~~~\___/
+        s_axi_arvalid |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\__________________
+        s_axi_araddr  | 0      | 7      | 8      | 10     | 0                                 |
+        s_axi_arready |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\________/~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        s_axi_rvalid  |________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_________
+        s_axi_rdata   | 0               | 34     | 99              | 0      | 34              |
+        s_axi_rresp   | Okay                                       | Slverr | Okay            |
+        s_axi_rready  |~~~~~~~~~~~~~~~~~~~~~~~~~~\________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        registers_0   | 0      | 34                                                           |",
     );
 }
 
@@ -221,4 +240,18 @@ fn addresses_that_are_too_short() {
     );
     let odd = problem(AxiLiteRegisters { address: 4, width: 16, registers: 1, status: 0 });
     assert!(odd.starts_with("`width` of `AxiLiteRegisters` is 16: it has to be 32 or 64"), "{odd}");
+}
+
+#[test]
+fn ports_have_the_names_and_the_sequence_of_the_standard() {
+    let block = AxiLiteRegisters { address: 4, width: 32, registers: 1, status: 0 };
+    let text = tilewright_gen::verilog(&tilewright_hdl::elaborate(&block).unwrap()).pop().unwrap().text;
+    let head = text.split_once("(\n").unwrap().1.split_once(");").unwrap().0;
+    let names = head
+        .lines()
+        .filter_map(|line| line.split("//").next().unwrap().trim().trim_end_matches(',').split(' ').next_back());
+    let axi: Vec<&str> = names.filter_map(|name| name.strip_prefix("s_axi_")).collect();
+    let expected = "awvalid awready awaddr awprot wvalid wready wdata wstrb arvalid arready araddr arprot \
+                    bvalid bready bresp rvalid rready rdata rresp";
+    assert_eq!(axi.join(" "), expected);
 }

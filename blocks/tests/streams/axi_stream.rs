@@ -115,8 +115,13 @@ fn beats_clock_by_clock() {
     let mut sim = Simulation::of(&ToAxiStream { lanes: 2 }).unwrap();
     sim.reset();
     let names = ["bytes_valid", "bytes_byte", "bytes_last", "bytes_ready"];
-    let wave =
-        sim.record(names.into_iter().chain(["beats_valid", "beats_data", "beats_keep", "beats_last", "beats_ready"]));
+    let wave = sim.record(names.into_iter().chain([
+        "m_axis_tvalid",
+        "m_axis_tdata",
+        "m_axis_tkeep",
+        "m_axis_tlast",
+        "m_axis_tready",
+    ]));
     for (byte, last, ready) in [
         (Some(1), 0, 1),
         (Some(2), 0, 1),
@@ -134,16 +139,16 @@ fn beats_clock_by_clock() {
     }
     wave.expect(
         r"
-        clk         |~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/
-        bytes_valid |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\____________
-        bytes_byte  | 1   | 2   | 3   | 4         | 0         |
-        bytes_last  |___________/~~~~~~~~~~~~~~~~~\____________
-        bytes_ready |~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~~
-        beats_valid |___________/~~~~~~~~~~~~~~~~~~~~~~~\______
-        beats_data  | 0   | 1   | 201 | 203       | 204       |
-        beats_keep  | 0   | 1   | 3   | 1                     |
-        beats_last  |_________________/~~~~~~~~~~~~~~~~~~~~~~~~
-        beats_ready |~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~~",
+        clk           |~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/
+        bytes_valid   |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\____________
+        bytes_byte    | 1   | 2   | 3   | 4         | 0         |
+        bytes_last    |___________/~~~~~~~~~~~~~~~~~\____________
+        bytes_ready   |~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~~
+        m_axis_tvalid |___________/~~~~~~~~~~~~~~~~~~~~~~~\______
+        m_axis_tdata  | 0   | 1   | 201 | 203       | 204       |
+        m_axis_tkeep  | 0   | 1   | 3   | 1                     |
+        m_axis_tlast  |_________________/~~~~~~~~~~~~~~~~~~~~~~~~
+        m_axis_tready |~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~~",
     );
 }
 
@@ -151,7 +156,7 @@ fn beats_clock_by_clock() {
 fn bytes_clock_by_clock() {
     let mut sim = Simulation::of(&FromAxiStream { lanes: 2 }).unwrap();
     sim.reset();
-    let names = ["beats_valid", "beats_data", "beats_keep", "beats_last", "beats_ready"];
+    let names = ["s_axis_tvalid", "s_axis_tdata", "s_axis_tkeep", "s_axis_tlast", "s_axis_tready"];
     let wave = sim.record(names.into_iter().chain(["bytes_valid", "bytes_byte", "bytes_last", "bytes_ready"]));
     let rows = [
         (Some((0x0201, 0b11, 0)), 1),
@@ -173,15 +178,15 @@ fn bytes_clock_by_clock() {
     }
     wave.expect(
         r"
-        clk         |~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/
-        beats_valid |~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~\____________
-        beats_data  | 201 | 304       | 0         | 5         | 0         |
-        beats_keep  | 3   | 2         | 0         | 1         | 0         |
-        beats_last  |_______________________/~~~~~~~~~~~~~~~~~\____________
-        beats_ready |~~~~~\_____/~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~~
-        bytes_valid |___________/~~~~~~~~~~~\_____/~~~~~~~~~~~\_____/~~~~~~
-        bytes_byte  | 0         | 1   | 2   | 3                     | 5   |
-        bytes_last  |~~~~~\_________________/~~~~~~~~~~~~~~~~~\_____/~~~~~~
-        bytes_ready |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~~",
+        clk           |~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/~~\__/
+        s_axis_tvalid |~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~\____________
+        s_axis_tdata  | 201 | 304       | 0         | 5         | 0         |
+        s_axis_tkeep  | 3   | 2         | 0         | 1         | 0         |
+        s_axis_tlast  |_______________________/~~~~~~~~~~~~~~~~~\____________
+        s_axis_tready |~~~~~\_____/~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~~
+        bytes_valid   |___________/~~~~~~~~~~~\_____/~~~~~~~~~~~\_____/~~~~~~
+        bytes_byte    | 0         | 1   | 2   | 3                     | 5   |
+        bytes_last    |~~~~~\_________________/~~~~~~~~~~~~~~~~~\_____/~~~~~~
+        bytes_ready   |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_____/~~~~~~~~~~~~~~~~~~",
     );
 }

@@ -125,6 +125,9 @@ fn ports<'a>(printer: &'a Printer) -> Vec<Port<'a>> {
         let (width, about) = (module.width(port.node), &module.about.outputs);
         ports.push(Port { direction, width, name: &port.name, path: &port.path, about });
     }
+    if module.foreign.is_none() {
+        bring_together(&mut ports);
+    }
     ports
 }
 
@@ -137,6 +140,21 @@ pub fn of_chip(module: &Module, design: &Design) -> Vec<(String, u32)> {
     let all = clocks.map(|name| (name, 1)).chain(inputs).chain(outputs);
     let shared = all.filter(|(name, _)| !border.model_only.contains(*name)).map(|(name, width)| (name.clone(), width));
     border.inouts.iter().cloned().chain(shared).collect()
+}
+
+/// Moves the `ready` of each stream whose name the description gives behind its `valid`, as standards list them.
+fn bring_together(ports: &mut Vec<Port>) {
+    let is_given = |port: &Port| port.name != port.path.replace('.', "_");
+    let streams = ports.iter().filter(|port| is_given(port)).filter_map(|port| port.path.strip_suffix(".ready"));
+    for stream in streams.map(str::to_owned).collect::<Vec<_>>() {
+        let at = |ports: &[Port], end: &str| {
+            ports.iter().position(|port| port.path.strip_suffix(end).is_some_and(|path| path == stream))
+        };
+        let Some(ready) = at(ports, ".ready") else { continue };
+        let moved = ports.remove(ready);
+        let place = at(ports, ".valid").map_or(ready, |valid| valid + 1);
+        ports.insert(place, moved);
+    }
 }
 
 /// A path without the numbers of elements: the documentation of a list is that of each element.

@@ -14,6 +14,14 @@ macro_rules! block_items {
         }
     };
 
+    (@port_names []) => {};
+    (@port_names [[] $($ports:tt)*]) => { $crate::block_items! { @port_names [[self] $($ports)*] } };
+    (@port_names [[$this:ident] $({$port:ident [$said:expr]})*]) => {
+        fn port_names(&$this) -> ::std::vec::Vec<(&'static str, ::std::string::String)> {
+            ::std::vec![$((::std::stringify!($port), $said.to_string())),*]
+        }
+    };
+
     (@foreign []) => {};
     (@foreign [=> $module:expr]) => { $crate::block_items! { @foreign [self => $module] } };
     (@foreign [$this:ident => $module:expr]) => {

@@ -183,6 +183,39 @@ pub use widths::{declared, list};
 /// # Ok::<(), Problems>(())
 /// ```
 ///
+/// The clause `port_names` gives ports the names of a standard, from which a packager of an IP core infers the interface.
+/// The name of a stream or a record begins the name of each of its ports. A clock and its reset have names too: `clk`,
+/// `rst` and `rst_n`.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// block! {
+///     /// Counts the beats of packets.
+///     pub struct Beats { lanes: u32 }
+///     port_names { clk: "aclk", rst_n: "aresetn", beats: "s_axis_t" }
+///     in(self) BeatsIn { beats: stream(struct Beat { data: bits(8 * self.lanes), last: bit() }) }
+///     out BeatsOut { count: bits(16) }
+/// }
+///
+/// impl Beats {
+///     fn build(&self, m: Module, i: BeatsIn) -> BeatsOut {
+///         m.ignore(&i.beats.data);
+///         let beat = i.beats.take_when(lit(1, 1));
+///         def!(count = m.reg(16).reset(0));
+///         count.when(beat.taken, mux(beat.last, 0, count + 1));
+///         BeatsOut { count: *count }
+///     }
+/// }
+///
+/// let axi = DefaultClock::new(Period::ns(10)).reset(Reset::SynchronousLow);
+/// let design = elaborate_at(&Beats { lanes: 4 }, axi)?;
+/// let text = &tilewright_gen::verilog(&design)[0].text;
+/// for port in ["aclk", "aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tlast"] {
+///     assert!(text.contains(&format!(" {port},")), "{text}");
+/// }
+/// # Ok::<(), Problems>(())
+/// ```
+///
 /// The clause `foreign` says which module of somebody else the block is in Verilog: [`Foreign::module`](crate::Foreign::module).
 #[macro_export]
 macro_rules! block {
@@ -191,7 +224,7 @@ macro_rules! block {
         #[derive(Debug, Clone, PartialEq, Eq, Hash)]
         $vis struct $name;
 
-        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name [] [] [] []] [""] [""] [] [] $($clauses)* }
+        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name [] [] [] [] []] [""] [""] [] [] $($clauses)* }
     };
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident $(<$($of:ident: $first:ident $(+ $bound:ident)*),+>)? {
         $($fields:tt)*
@@ -201,31 +234,39 @@ macro_rules! block {
         $vis struct $name $(<$($of: $first $(+ $bound)*),+>)? { $($fields)* }
 
         $crate::block! {
-            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?] [] [] []] [""] [""] [] [] $($clauses)*
+            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?] [] [] [] []] [""] [""] [] [] $($clauses)*
         }
     };
 
-    // The clauses, in sequence: the ranges of parameters, the name, the foreign module, the latency, the source, the inputs and the outputs.
-    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt [] $called:tt $foreign:tt] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
+    // The clauses, in sequence: the ranges of parameters, the name, the foreign module, the names of ports, the latency, the source, the inputs and the outputs.
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt [] $called:tt $foreign:tt $ports:tt] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
         $($(#[$($said:tt)*])* $parameter:ident $(.$field:ident)*: $range:expr),* $(,)?
     } $($rest:tt)*) => {
         $crate::block! {
-            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] [$parameter $($field)*] [$range]})*] $called $foreign]
+            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] [$parameter $($field)*] [$range]})*] $called $foreign $ports]
             $latency $source $in $out $($rest)*
         }
     };
-    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt [] $foreign:tt] $latency:tt $source:tt $in:tt $out:tt
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt [] $foreign:tt $ports:tt] $latency:tt $source:tt $in:tt $out:tt
         name $(($this:ident))? = $said:expr; $($rest:tt)*
     ) => {
         $crate::block! {
-            @clauses [$attributes $vis $name $of $ranges [$($this)? => $said] $foreign] $latency $source $in $out $($rest)*
+            @clauses [$attributes $vis $name $of $ranges [$($this)? => $said] $foreign $ports] $latency $source $in $out $($rest)*
         }
     };
-    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt $called:tt []] $latency:tt $source:tt $in:tt $out:tt
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt $called:tt [] $ports:tt] $latency:tt $source:tt $in:tt $out:tt
         foreign $(($this:ident))? = $module:expr; $($rest:tt)*
     ) => {
         $crate::block! {
-            @clauses [$attributes $vis $name $of $ranges $called [$($this)? => $module]]
+            @clauses [$attributes $vis $name $of $ranges $called [$($this)? => $module] $ports]
+            $latency $source $in $out $($rest)*
+        }
+    };
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt $called:tt $foreign:tt []] $latency:tt $source:tt $in:tt $out:tt
+        port_names $(($this:ident))? { $($port:ident: $said:expr),* $(,)? } $($rest:tt)*
+    ) => {
+        $crate::block! {
+            @clauses [$attributes $vis $name $of $ranges $called $foreign [[$($this)?] $({$port [$said]})*]]
             $latency $source $in $out $($rest)*
         }
     };
@@ -261,7 +302,7 @@ macro_rules! block {
     };
 
     // Everything is known.
-    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*] $ranges:tt $called:tt $foreign:tt]
+    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*] $ranges:tt $called:tt $foreign:tt $ports:tt]
         $latency:tt [$source:expr] $in:tt $out:tt
     ) => {
         $crate::block_items! { @bundle $vis "The inputs of [`" $name $in }
@@ -276,6 +317,7 @@ macro_rules! block {
             $crate::block_items! { @ranges $ranges }
             $crate::block_items! { @name $called }
             $crate::block_items! { @foreign $foreign }
+            $crate::block_items! { @port_names $ports }
             $crate::block_items! { @about [$([$($attribute)*])*] $latency [$source] }
 
             fn declared(&self) -> ::std::option::Option<$crate::Loc> {

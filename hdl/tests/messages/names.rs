@@ -4,6 +4,50 @@ use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]
+fn a_name_is_for_a_port_that_exists() {
+    block! {
+        /// A word a clock later, under names of its own.
+        struct Delay { port: u32 }
+        port_names(self) { clk: "aclk", rst_n: "aresetn", word: ["word", "d", "no name", "late"][self.port as usize], late: "q" }
+        in DelayIn { word: bits(8) }
+        out DelayOut { late: bits(8) }
+    }
+    impl Delay {
+        fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+            DelayOut { late: m.pipe("held", i.word) }
+        }
+    }
+    let ports = |port| {
+        elaborate(&Delay { port }).map(|design| {
+            let top = design.top();
+            [&top.clocks[0].port, &top.inputs[0].name, &top.outputs[0].name].map(String::clone).join(" ")
+        })
+    };
+    assert_eq!((ports(0).unwrap(), ports(1).unwrap()), ("aclk word q".to_owned(), "aclk d q".to_owned()));
+    let said = ports(2).unwrap_err().to_string();
+    assert!(said.contains("`no name`") && said.contains("[T403]"), "{said}");
+
+    block! {
+        /// Names a port that it does not have.
+        struct Misspelt;
+        port_names { wird: "d", held: "q" }
+        in MisspeltIn { word: bits(8) }
+        out MisspeltOut { held: bits(8) }
+    }
+    impl Misspelt {
+        fn build(&self, m: Module, i: MisspeltIn) -> MisspeltOut {
+            MisspeltOut { held: m.pipe("late", i.word) }
+        }
+    }
+    let said = elaborate(&Misspelt).unwrap_err().to_string();
+    assert!(said.starts_with("`d` names the port `wird`, but `Misspelt` has no such port [T510]\n"), "{said}");
+    assert!(
+        said.contains("help: its ports are `word`, `held`; those of its clock are `clk`, `rst`, `rst_n`"),
+        "{said}"
+    );
+}
+
+#[test]
 fn names_that_clash_or_are_illegal() {
     expect(
         |_, i| (i.a.named("sum") + 1).named("sum"),
