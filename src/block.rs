@@ -6,7 +6,8 @@ use crate::shell::{Exit, Failure, progress};
 use clap::Args;
 use std::num::{IntErrorKind, ParseIntError};
 use tilewright_hdl::catalog::{Entry, Values};
-use tilewright_hdl::{Design, limbs_for};
+use tilewright_hdl::ir::Clock;
+use tilewright_hdl::{Design, Reset, limbs_for};
 use tilewright_sim::{EngineKind, Simulation};
 
 /// A block of the catalogue with parameters.
@@ -45,6 +46,22 @@ impl BlockArguments {
 pub fn design(block: &Entry, values: &Values) -> Result<Design, Failure> {
     progress::phase("elaborating");
     Ok(block.design(values)?)
+}
+
+/// The circuit of a block whose own clock resets in this way.
+///
+/// # Errors
+/// The values of its parameters do not go together, or it has no reset on a clock of its own.
+pub fn design_with(block: &Entry, values: &Values, reset: Reset) -> Result<Design, Failure> {
+    progress::phase("elaborating");
+    let design = block.design_with(values, reset)?;
+    // Without a reset, a clock is of the usual kind.
+    let resets = |clock: &Clock| clock.name.is_none() && (clock.reset.is_some() || clock.kind == Reset::PowerOn);
+    if !design.top().clocks.iter().any(resets) {
+        let sentence = format!("{} has no reset on a clock of its own, which --reset is for: leave it out", block.name);
+        return Err(Failure::new(Exit::BadInput, sentence));
+    }
+    Ok(design)
 }
 
 /// The parser of a block's name.

@@ -1,16 +1,16 @@
 //! `tilewright verilog`: a block as Verilog, and a testbench that replays its scenario.
 
-use crate::block::{BlockArguments, design, simulation};
+use crate::block::{BlockArguments, design, design_with, simulation};
 use crate::constraints::ConstraintOptions;
 use crate::player::{check_length, play};
 use crate::shell::output::{Folder, quoted};
 use crate::shell::{Exit, Failure, progress, terminal};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tilewright_gen::{VerilogFile, testbench, verilog};
-use tilewright_hdl::{Recording, Scenario};
+use tilewright_hdl::{Design, Recording, Reset, Scenario};
 use tilewright_sim::{EngineKind, Simulation};
 
 /// Writes a block as Verilog, one file for each module
@@ -21,9 +21,11 @@ Examples:
   tilewright verilog merging-unit -o out/ --testbench
   tilewright verilog image-merger --set units=8 -o out/ --testbench --json
   tilewright verilog merging-unit -o out/ --constraints sdc
+  tilewright verilog counter --reset async-low -o out/
 
 The testbench replays the block's scenario and compares every output at every clock edge. It prints `PASS: n cycles` or the first mismatch.
 After a mismatch the printed commands end with a non-zero status. It runs in Icarus Verilog and in Verilator.
+A simulation of foreign modules or pads needs the macro TILEWRIGHT_MODELS, which puts their models in their places; a synthesizer must not have it.
 
 The constraints have the block's name: `merging_unit.sdc`. A file of pins has a row for each bit of each port: the port, the pin, and settings.
 `#` begins a comment. Settings are an io type, pull-up or pull-down, and NAME=VALUE in the words of the dialect.")]
@@ -33,6 +35,9 @@ pub struct Verilog {
     /// Folder for the files, created if missing; either all files are written, or none
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
+    /// How the clock resets registers. A kind other than `sync` is part of the modules' names
+    #[arg(long, value_name = "KIND", value_enum)]
+    reset: Option<Kind>,
     /// Write a testbench as well, recorded from a run of the block's scenario
     #[arg(long)]
     testbench: bool,
@@ -41,6 +46,33 @@ pub struct Verilog {
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
+}
+
+/// A kind of reset.
+#[derive(Clone, Copy, ValueEnum)]
+enum Kind {
+    /// Synchronous, active high: `rst`
+    Sync,
+    /// Synchronous, active low: `rst_n`
+    SyncLow,
+    /// Asynchronous, active high: `rst`
+    Async,
+    /// Asynchronous, active low: `rst_n`
+    AsyncLow,
+    /// No reset: values at power-on alone
+    PowerOn,
+}
+
+impl From<Kind> for Reset {
+    fn from(kind: Kind) -> Reset {
+        match kind {
+            Kind::Sync => Reset::Synchronous,
+            Kind::SyncLow => Reset::SynchronousLow,
+            Kind::Async => Reset::Asynchronous,
+            Kind::AsyncLow => Reset::AsynchronousLow,
+            Kind::PowerOn => Reset::PowerOn,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -64,7 +96,10 @@ impl Verilog {
         let (entry, values) = self.block.find()?;
         let pins = self.constraints.pins()?;
         let folder = Folder::make(&self.output)?;
-        let design = design(entry, &values)?;
+        let design = match self.reset {
+            Some(reset) => design_with(entry, &values, reset.into())?,
+            None => design(entry, &values)?,
+        };
         progress::phase("printing");
         let mut files = verilog(&design);
         files.extend(self.constraints.print(&design, &pins)?);
@@ -75,7 +110,8 @@ impl Verilog {
             cycles = Some(recording.steps.len());
             files.push(testbench(&design, &recording));
         }
-        let commands = if self.testbench { simulators(&self.output, &files) } else { Vec::new() };
+        let commands =
+            if self.testbench { simulators(&self.output, &files, needs_models(&design)) } else { Vec::new() };
         let written = folder.fill(files.iter().map(|file| (file.name.as_str(), file.text.as_bytes())))?;
         if self.json {
             terminal::print_json(&Report {
@@ -105,15 +141,55 @@ fn record(sim: &mut Simulation, scenario: &Scenario) -> Result<Recording, Failur
 /// With this macro the simulators print what is covered.
 const COVERS: &str = "-DTILEWRIGHT_COVERS";
 
+/// With this macro the models of foreign modules and of pads stand for them.
+const MODELS: &str = "-DTILEWRIGHT_MODELS";
+
+/// Whether a simulation of the Verilog needs models.
+fn needs_models(design: &Design) -> bool {
+    design.modules().iter().any(|module| module.foreign.is_some() || module.is_pad)
+}
+
 /// The commands that run the testbench, the last of the files, in two simulators. Each has a shell of its own, so that one can follow
 /// the other. `-n` stops Icarus from asking what to do at `$stop`, and the macro prints covers.
-fn simulators(folder: &Path, files: &[VerilogFile]) -> Vec<String> {
+fn simulators(folder: &Path, files: &[VerilogFile], with_models: bool) -> Vec<String> {
     let folder = quoted(folder);
     let sources: Vec<&str> = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect();
     let top = files.last().map_or("", |bench| bench.name.trim_end_matches(".v"));
     let sources = sources.join(" ");
+    let macros = if with_models { format!("{COVERS} {MODELS}") } else { COVERS.to_owned() };
     vec![
-        format!("(cd {folder} && iverilog -g2005 {COVERS} -s {top} -o bench.vvp {sources} && vvp -n bench.vvp)"),
-        format!("(cd {folder} && verilator --binary {COVERS} --top-module {top} -o bench {sources} && obj_dir/bench)"),
+        format!("(cd {folder} && iverilog -g2005 {macros} -s {top} -o bench.vvp {sources} && vvp -n bench.vvp)"),
+        format!("(cd {folder} && verilator --binary {macros} --top-module {top} -o bench {sources} && obj_dir/bench)"),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_hdl::{DefaultClock, Foreign, Module, bit, block, elaborate_at};
+
+    block! {
+        /// A buffer of a chip, or one that is described.
+        struct Buffer;
+        foreign = Foreign::module("BUF");
+        in BufferIn { word: bit() }
+        out BufferOut { same: bit() }
+    }
+
+    impl Buffer {
+        fn build(&self, _: Module, i: BufferIn) -> BufferOut {
+            BufferOut { same: i.word }
+        }
+    }
+
+    #[test]
+    fn models_are_named_where_the_verilog_has_foreign_modules() {
+        let foreign = elaborate_at(&Buffer, DefaultClock::new(tilewright_hdl::DEFAULT_PERIOD)).unwrap();
+        let counter = crate::block::entries().find(|entry| entry.name == "counter").unwrap();
+        let plain = counter.design(&counter.values([]).unwrap()).unwrap();
+        for (design, has) in [(&foreign, true), (&plain, false)] {
+            let commands = simulators(Path::new("out"), &verilog(design), needs_models(design));
+            assert!(commands.iter().all(|line| line.contains(" -DTILEWRIGHT_MODELS ") == has), "{commands:?}");
+        }
+    }
 }

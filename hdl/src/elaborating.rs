@@ -127,6 +127,7 @@ pub type Typed<B> = (Design, <<B as Block>::In as Bundle>::Of<usize>, <<B as Blo
 #[track_caller]
 pub fn elaborate_typed<B: Block>(block: &B, clock: impl Into<DefaultClock>) -> Result<Typed<B>, Problems> {
     let (loc, clock) = (Loc::caller(), clock.into());
+    let clock = elaboration::given_reset().map_or(clock, |reset| clock.reset(reset));
     let (own, period) = (OwnClock::from(clock), clock.period);
     let mut ports = None;
     let ended = elaboration::run(own, || {

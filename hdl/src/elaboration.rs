@@ -17,7 +17,7 @@ use crate::problem::{Problem, Problems};
 use crate::reset::Reset;
 use crate::summary::Summary;
 use std::any::{Any, TypeId};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, HashMap};
 use std::hash::Hash;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -46,8 +46,8 @@ pub(crate) struct Elaboration {
     pub drafts_begun: u32,
     /// Every named clock, and the place of its first use.
     pub clocks: BTreeMap<&'static str, (Clock, Loc)>,
-    /// How the top's own clock acts.
-    pub own: OwnClock,
+    /// How a clock acts that no module's name tells: as the top's own, or in the usual way where the reset is given.
+    pub unnamed: OwnClock,
     /// For each finished module, what of its default clock it depends on.
     pub depends_on: Vec<DependsOn>,
     pub problems: Vec<Problem>,
@@ -127,6 +127,29 @@ thread_local! {
     static CURRENT: RefCell<Option<Elaboration>> = const { RefCell::new(None) };
 }
 
+thread_local! {
+    static GIVEN_RESET: Cell<Option<Reset>> = const { Cell::new(None) };
+}
+
+/// The reset that is given for the own clock of tops, in place of what their elaboration says.
+pub(crate) fn given_reset() -> Option<Reset> {
+    GIVEN_RESET.get()
+}
+
+/// Elaborates with this reset of the top's own clock.
+pub(crate) fn with_reset<R>(reset: Reset, elaborate: impl FnOnce() -> R) -> R {
+    /// Takes the reset back, also after a panic.
+    struct Given;
+    impl Drop for Given {
+        fn drop(&mut self) {
+            GIVEN_RESET.set(None);
+        }
+    }
+    GIVEN_RESET.set(Some(reset));
+    let _given = Given;
+    elaborate()
+}
+
 static STAMPS: AtomicU32 = AtomicU32::new(1);
 
 /// Clears the arena when elaboration ends, by return or by panic.
@@ -175,7 +198,7 @@ pub(crate) fn run(own: OwnClock, describe: impl FnOnce()) -> Result<Elaboration,
             drafts: Vec::new(),
             drafts_begun: 0,
             clocks: BTreeMap::new(),
-            own,
+            unnamed: OwnClock { reset: given_reset().map_or(own.reset, |_| Reset::default()), ..own },
             depends_on: Vec::new(),
             problems: Vec::new(),
         });

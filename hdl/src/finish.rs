@@ -38,7 +38,7 @@ pub(crate) fn finish(
     let resets = find_resets(&draft, &e.done, &e.depends_on);
     // A block that does not depend on the reset or the edge has one module for all kinds.
     let depends = DependsOn { reset: resets[0].is_some(), edge: draft.clock_used[0] };
-    let name = named_after(name, depends, draft.own, e.own);
+    let name = named_after(name, depends, draft.own, e.unnamed);
     let reset_ports: Vec<_> = resets.iter().map(|reset| reset.as_ref().and_then(|(_, port)| port.clone())).collect();
     let name = check::naming::check(&mut draft, &e.done, &outputs, &reset_ports, name, problems);
     port_names::check(&draft, &outputs, problems);
@@ -77,12 +77,12 @@ pub(crate) fn finish(
     e.done.push(module);
 }
 
-/// The module's name, with what of its own clock differs from the top's and matters here.
-fn named_after(mut name: String, depends: DependsOn, own: OwnClock, top: OwnClock) -> String {
-    if depends.reset && own.reset != top.reset {
+/// The module's name, with what of its own clock matters here and is not as names leave it out.
+fn named_after(mut name: String, depends: DependsOn, own: OwnClock, unnamed: OwnClock) -> String {
+    if depends.reset && own.reset != unnamed.reset {
         name = format!("{name}_{}", own.reset.suffix());
     }
-    if depends.edge && own.edge != top.edge {
+    if depends.edge && own.edge != unnamed.edge {
         name = format!("{name}_{}", own.edge.suffix());
     }
     name

@@ -102,3 +102,25 @@ fn wrong_pins_leave_no_folder() {
     assert_eq!(run.stderr, wrong.concat());
     assert!(!folder.path("out").exists());
 }
+
+#[test]
+fn each_kind_of_reset_goes_into_one_folder() {
+    let folder = Folder::new();
+    for (kind, top, edge) in [
+        ("sync", "counter_limit5", "always @(posedge clk) begin"),
+        ("sync-low", "counter_limit5_synchronous_low", "if (!rst_n)"),
+        ("async", "counter_limit5_asynchronous", "always @(posedge clk or posedge rst) begin"),
+        ("async-low", "counter_limit5_asynchronous_low", "always @(posedge clk or negedge rst_n) begin"),
+        ("power-on", "counter_limit5_power_on", "initial count"),
+    ] {
+        let report = folder.json(&format!("verilog counter --reset {kind} -o out --testbench --json"));
+        assert_eq!(report["top"], top);
+        assert!(folder.read(&format!("out/{top}.v")).contains(edge), "{kind}");
+    }
+    // No file of one kind was overwritten by another.
+    assert_eq!(std::fs::read_dir(folder.path("out")).unwrap().count(), 10);
+    let refused = folder.run("verilog multiplier --reset async -o none");
+    assert_eq!(refused.code, Some(2), "{refused:?}");
+    let sentence = "multiplier has no reset on a clock of its own, which --reset is for: leave it out";
+    assert!(refused.stderr.contains(sentence) && !folder.path("none").exists(), "{refused:?}");
+}

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::CatalogError;
+use crate::elaboration;
 use crate::ir::Design;
+use crate::reset::Reset;
 use crate::scenario::Scenario;
 
 /// A block of the catalogue.
@@ -117,6 +119,26 @@ impl Entry {
     /// The combination of values is not possible.
     pub fn design(&self, values: &Values) -> Result<Design, CatalogError> {
         (self.design)(values)
+    }
+
+    /// The circuit with this reset of its own clock. The names of modules that depend on it tell a reset that is not the
+    /// usual one, so circuits of several kinds go into one folder.
+    ///
+    /// ```
+    /// # use tilewright_hdl::{Reset, catalog::*};
+    /// # use tilewright_sim::for_examples::COUNTER;
+    /// let top = |reset| Ok::<_, CatalogError>(COUNTER.design_with(&COUNTER.values([])?, reset)?.top().clone());
+    /// let low = top(Reset::AsynchronousLow)?;
+    /// assert_eq!((&*low.name, low.clocks[0].reset.as_deref()), ("counter_asynchronous_low", Some("rst_n")));
+    /// assert_eq!(top(Reset::Synchronous)?.name, "counter");
+    /// # Ok::<(), CatalogError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`Entry::design`].
+    pub fn design_with(&self, values: &Values, reset: Reset) -> Result<Design, CatalogError> {
+        elaboration::with_reset(reset, || self.design(values))
     }
 
     /// A scenario that shows what the block does.
