@@ -411,18 +411,18 @@ fn an_output_of_the_name_of_a_read_is_declared_once() {
         /// Words of a memory, read at the edge under the names of the outputs.
         struct Words;
         in WordsIn { at: below(12) }
-        out WordsOut { inside: bits(8), gated: bits(8) }
+        out WordsOut { whole: bits(8), gated: bits(8) }
     }
     impl Words {
         fn build(&self, m: Module, i: WordsIn) -> WordsOut {
             def!(few = m.memory(8, 8, ReadUnderWrite::Any).fill(1));
-            def!(inside = few.read(i.at.trunc(3)));
+            def!(whole = few.read(i.at.trunc(3)));
             def!(many = m.memory(12, 8, ReadUnderWrite::Any).fill(2));
             def!(gated = many.read(i.at));
-            WordsOut { inside, gated }
+            WordsOut { whole, gated }
         }
     }
     let text = &verilog(&elaborate(&Words).unwrap())[0].text;
-    assert!(text.contains("output reg  [7:0] inside") && !text.contains("    reg [7:0] inside;"), "{text}");
+    assert!(text.contains("output reg  [7:0] whole") && !text.contains("    reg [7:0] whole;"), "{text}");
     assert!(text.contains("    assign gated = gated_inside ? gated_word : 8'd0;"), "{text}");
 }
