@@ -300,3 +300,56 @@ fn without_models_verilog_resolves_a_line() {
     assert_eq!(run("iverilog", &["-g2005", "-Wall", "-Wno-timescale", "-s", "bench", "-o", "bench.vvp", "all.v"]), "");
     assert_eq!(run("vvp", &["-n", "bench.vvp"]), "0111");
 }
+
+block! {
+    /// A wire whose pad is in an enabled part.
+    struct Watched;
+    in WatchedIn { low: bit(), watches: bit(), sda: Outside::widths(1) }
+    out WatchedOut { is_low: bit() }
+}
+
+impl Watched {
+    fn build(&self, m: Module, i: WatchedIn) -> WatchedOut {
+        let pad = || m.instance("u_sda", &Pad::new(1).pull_up(), PadIn::open_drain(i.low, i.sda));
+        let sda = m.enabled(i.watches, pad);
+        WatchedOut { is_low: !sda.line }
+    }
+}
+
+block! {
+    /// A pad with the name of the module, and one with a name that the printer would give.
+    struct Sda;
+    in SdaIn { sda: Outside::widths(1), _unused_ok: Outside::widths(1), low: bits(2) }
+    out SdaOut { is_low: bit() }
+}
+
+impl Sda {
+    fn build(&self, m: Module, i: SdaIn) -> SdaOut {
+        let low = i.low.bit(0);
+        def!(sda = m.instance(&Pad::new(1), PadIn::open_drain(low, i.sda)));
+        def!(other = m.instance(&Pad::new(1), PadIn::open_drain(low, i._unused_ok)));
+        SdaOut { is_low: !(sda.line & other.line) }
+    }
+}
+
+#[test]
+fn nothing_else_has_the_name_of_a_pad() {
+    let text = without_comments(&verilog(&elaborate(&Sda).unwrap()));
+    for part in ["module sda_ (", "    inout  wire sda,\n", "    inout  wire _unused_ok,\n", "    wire _unused_ok_1 ="]
+    {
+        assert!(text.contains(part), "{part}\n is not in\n{text}");
+    }
+}
+
+/// The enable is for the assertion of the model alone.
+#[test]
+fn a_pad_may_be_in_an_enabled_part() {
+    let text = without_comments(&verilog(&elaborate(&Watched).unwrap()));
+    for part in [
+        "    input  wire sda_value,\n    input  wire sda_drives,\n`else\n    inout  wire sda,\n`endif\n",
+        "        .outside_drives (sda_drives),\n        .clk_en         (watches),\n",
+        "    assign sda = low ? 1'b0 : 1'bz;\n",
+    ] {
+        assert!(text.contains(part), "{part}\n is not in\n{text}");
+    }
+}

@@ -28,8 +28,8 @@ impl Border {
                 border.model_only.insert(port);
             }
             if let Some(port) = port_of_pad(child, module, instance) {
-                let outside = &instance.inputs[instance.inputs.len() - 2..];
-                border.model_only.extend(outside.iter().filter_map(|node| module.node(*node).name.clone()));
+                let outside = instance.outside().into_iter().flatten();
+                border.model_only.extend(outside.filter_map(|node| module.node(node).name.clone()));
                 let line = instance.outputs[0];
                 border.inouts.push((port, module.width(line)));
                 let shown = module.outputs.iter().filter(|output| behind_wires(module, output.node) == line);

@@ -1,6 +1,7 @@
 //! Name tables: one for a module, one for each scope within it. A name of an inner scope hides that of the module, so
 //! no name is used twice among those visible from one place.
 
+use super::border::port_of_pad;
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::{Design, Module, Shape};
 
@@ -47,7 +48,9 @@ impl Names {
         let lane = |shape: Shape| if shape.is_plain() { None } else { Some(LANE) };
         let own = own.flat_map(|instance| [Some(instance.name.as_str()), lane(instance.shape)]).flatten();
         let within = module.instances.iter().flat_map(|instance| &printed[instance.module.0 as usize].labels);
-        let declared: Vec<&String> = clocks.chain(ports).chain(nodes).chain(memories).collect();
+        let pads = module.instances.iter();
+        let pads = pads.filter_map(|pad| port_of_pad(design.module(pad.module), module, pad)).collect::<Vec<_>>();
+        let declared: Vec<&String> = clocks.chain(ports).chain(&pads).chain(nodes).chain(memories).collect();
         let mut names = Names {
             declared: declared.iter().map(|name| name.to_lowercase()).collect(),
             own: own.chain([module.name.as_str()]).map(str::to_lowercase).collect(),

@@ -5,6 +5,7 @@ use crate::draft::Draft;
 use crate::ir::{Instance, Module, Node, NodeId, Op};
 use crate::loc::Loc;
 use crate::mistake::Mistake;
+use crate::module::port_name;
 use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
 use crate::problem::Problem;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -55,11 +56,23 @@ pub(crate) fn check(
         instance.name = names.inner("instance", instance.name.clone(), instance.loc);
     }
     name_fields(draft, &mut names.taken);
-    while names.taken.contains_key(&name) {
+    let pads = pad_ports(draft, done);
+    while names.taken.contains_key(&name) || pads.contains(&name) {
         name.push('_');
     }
     check_hiding(&draft.instances, done, problems);
     name
+}
+
+/// The ports that pads would be of a chip.
+fn pad_ports(draft: &Draft, done: &[Module]) -> Vec<String> {
+    let pads = draft.instances.iter().filter(|instance| done[instance.module.0 as usize].is_pad);
+    let port = |pad: &Instance| {
+        let [value, _] = pad.outside()?;
+        let input = draft.inputs.iter().find(|input| input.node == value)?;
+        Some(port_name("", input.path.strip_suffix(".value")?))
+    };
+    pads.filter_map(port).collect()
 }
 
 /// A module's own nets and memories hide an instance of the same name around it. Linters reject that, but they accept

@@ -1,6 +1,6 @@
 //! Pads are in the top, and each has its outside among the top's inputs.
 
-use crate::ir::{Instance, Module, NodeId, Op, Property};
+use crate::ir::{Clock, Instance, Module, NodeId, Op, Property};
 use crate::mistake::Mistake;
 use crate::module::port_name;
 use crate::names::{is_reserved, is_reserved_in_cpp};
@@ -58,14 +58,28 @@ fn named(module: &Module, port: &str) -> Option<(&'static str, crate::loc::Loc)>
     let net = || net.map(|node| ("a net", node.loc));
     let memory = || module.memories.iter().find(|memory| memory.name == port).map(|memory| ("a memory", memory.loc));
     let instance = || module.instances.iter().find(|it| it.name == port).map(|it| ("an instance", it.loc));
-    output.or_else(net).or_else(memory).or_else(instance)
+    let clock = || module.clocks.iter().find(|clock| clock.port == port).map(|_| ("a clock", module.loc));
+    let is_reset = |clock: &&Clock| clock.reset.as_deref() == Some(port);
+    let reset = || module.clocks.iter().find(is_reset).map(|_| ("a reset", module.loc));
+    output.or_else(net).or_else(memory).or_else(instance).or_else(clock).or_else(reset)
+}
+
+impl Instance {
+    /// What the outside of a pad does: the value, and whether it drives. An enable may follow these inputs.
+    #[doc(hidden)]
+    pub fn outside(&self) -> Option<[NodeId; 2]> {
+        match self.inputs[..] {
+            [_, _, value, drives, ..] => Some([value, drives]),
+            _ => None,
+        }
+    }
 }
 
 impl Module {
     /// The name of the `inout` port of a pad: that of the two inputs for its outside, which only the pad reads.
     #[doc(hidden)]
     pub fn pad_port(&self, pad: &Instance) -> Option<String> {
-        let [.., value, drives] = pad.inputs[..] else { return None };
+        let [value, drives] = pad.outside()?;
         let path = |node: NodeId| match self.node(node).op {
             Op::Input(index) if self.uses(node) == 1 => Some(self.inputs[index as usize].path.as_str()),
             _ => None,

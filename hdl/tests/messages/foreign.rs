@@ -62,6 +62,56 @@ fn state_of_a_model_needs_the_ports_of_its_clock() {
     assert!(elaborate(&right).is_ok());
 }
 
+/// A model of some state.
+#[derive(Clone, PartialEq, Eq, Hash)]
+#[allow(unpredictable_function_pointer_comparisons, reason = "as that of `FlipFlop`")]
+struct Model(fn(Module, Signal) -> Signal);
+
+impl std::fmt::Debug for Model {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str("Model")
+    }
+}
+
+impl Block for Model {
+    type In = Link;
+    type Out = Out;
+
+    fn inputs(&self) -> Link<Width> {
+        Link { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: Link) -> Out {
+        Out { out: (self.0)(m, i.x) }
+    }
+
+    fn foreign(&self) -> Option<Foreign> {
+        Some(Foreign::module("DFF").clock_of(FAST, "C"))
+    }
+}
+
+/// An output may depend on state through whatever is between them.
+#[test]
+fn state_of_a_model_is_found_wherever_it_is() {
+    let models: [fn(Module, Signal) -> Signal; 6] = [
+        |m, x| !m.pipe("held", x),
+        |m, x| {
+            def!(words = m.memory(4, 8, ReadUnderWrite::Any).fill(0));
+            words.write(x.bit(0), x.slice(1..3), x);
+            words.read_async(x.slice(3..5))
+        },
+        |m, x| m.memory("words", 4, 8, ReadUnderWrite::Any).fill(0).read(x.trunc(2)),
+        |m, x| m.instance("u_inverter", &Inverter { registered: true }, Link { x }).out,
+        |m, x| m.instance("u_inverter", &Inverter { registered: false }, Link { x: m.pipe("held", x) }).out,
+        |m, x| m.on(FAST).pipe("seen", m.pipe("held", x).quasi_static("it stays")),
+    ];
+    for model in models {
+        let found = problems(&Model(model));
+        assert!(found.starts_with("the model `Model` has state with a clock, but `DFF` has no port for it"), "{found}");
+    }
+    assert!(elaborate(&Model(|m, x| m.on(FAST).pipe("held", x.quasi_static("it stays")))).is_ok());
+}
+
 #[test]
 fn nothing_stops_the_clock_of_a_foreign_module() {
     expect(
@@ -93,6 +143,10 @@ fn names_that_verilog_does_not_take() {
             "`no name` cannot be the name of an attribute [T403]",
         ),
         (|| Foreign::module("DFF").clock("C C").reset("R"), "`C C` cannot be the name of a clock [T403]"),
+        (
+            || Foreign::module("DFF").clock("C").reset("R").makes(FAST, "C O"),
+            "`C O` cannot be the name of a clock [T403]",
+        ),
         (|| Foreign::module("DFF").clock("C").reset("R").port("x", "C"), "input `C` has the name of a clock [T401]"),
         (
             || Foreign::module("DFF").clock("C").reset("R").parameter("INIT", 1).parameter("INIT", 0),
@@ -197,27 +251,50 @@ fn a_clock_is_made_once_and_in_the_top() {
 block! {
     /// Has a pad, and is told how to be wrong.
     struct Wired { wrong: u32 }
-    in WiredIn { sda: Outside::widths(1), table: Outside::widths(1), low: bit() }
+    in WiredIn {
+        sda: Outside::widths(1),
+        table: Outside::widths(1),
+        friend: Outside::widths(1),
+        clk: Outside::widths(1),
+        other: Outside::widths(1),
+        low: bit(),
+    }
     out WiredOut { line: bit(), other: bit() }
 }
 
 impl Wired {
     fn build(&self, m: Module, i: WiredIn) -> WiredOut {
         m.ignore(&i);
+        let (low, name) = (i.low, if self.wrong == 8 { "sda" } else { "u_sda" });
         let outside = match self.wrong {
             1 => Outside { value: i.sda.value, drives: i.low },
             2 => Outside { value: !i.sda.value, ..i.sda },
             3 => i.table,
+            7 => i.clk,
+            15 => Outside { drives: i.table.drives, ..i.sda },
+            9 => i.friend,
+            10 => i.other,
             _ => i.sda,
         };
-        let pad = m.instance("u_sda", &Pad::new(1).pull_up(), PadIn::open_drain(i.low, outside));
+        let pad = m.instance(name, &Pad::new(1).pull_up(), PadIn::open_drain(low, outside));
+        let words = |name: &str| m.memory(name, 2, 1, ReadUnderWrite::Any).fill(0);
         let other = match self.wrong {
             4 => i.sda.value,
-            5 => (!i.low).named("sda"),
-            _ => i.low,
+            5 => (!low).named("sda"),
+            11 => m.pipe("seen", i.sda.value),
+            16 => !i.sda.drives,
+            12 => words("words").read_async(i.sda.value),
+            13 => words("sda").read_async(low),
+            _ => low,
         };
-        if self.wrong == 6 {
-            m.display(i.low, "{}", &[i.sda.value]);
+        match self.wrong {
+            6 => m.display(low, "{}", &[i.sda.value]),
+            14 => {
+                let words = words("words");
+                words.write(low, low, i.sda.value);
+                m.display(low, "{}", &[words.read(low)]);
+            }
+            _ => {}
         }
         WiredOut { line: pad.line, other }
     }
@@ -232,7 +309,8 @@ block! {
 
 impl Board {
     fn build(&self, m: Module, i: BoardIn) -> BoardOut {
-        let inner = WiredIn { sda: i.sda, table: i.table, low: i.low };
+        let BoardIn { sda, table, low } = i;
+        let inner = WiredIn { sda, table, friend: sda, clk: sda, other: sda, low };
         BoardOut { line: m.instance("u_wired", &Wired { wrong: 0 }, inner).line }
     }
 }
@@ -256,14 +334,22 @@ fn pads_are_ports_of_the_top() {
     assert!(elaborate(&Wired { wrong: 0 }).is_ok());
     let help = "declare the input, as in `sda: Outside::widths(1)`, give it to one pad, and read the pad's `line`";
     let message = "the outside of pad `u_sda` is not an input of `wired_wrong1` that is used for it alone [T516]";
-    for wrong in [1, 2, 4, 6] {
+    for wrong in [1, 2, 4, 6, 11, 12, 14, 15, 16] {
         let found = problems(&Wired { wrong }).replace(&format!("wrong{wrong}"), "wrong1");
         assert!(found.starts_with(message) && found.ends_with(help), "{found}");
     }
-    let table = problems(&Wired { wrong: 3 });
-    assert!(table.starts_with("pad `table` has a reserved word for a name [T402]"), "{table}");
-    let taken = problems(&Wired { wrong: 5 });
-    assert!(taken.starts_with("pad `sda` has the name of a net [T401]"), "{taken}");
+    for (wrong, message) in [
+        (3, "pad `table` has a reserved word for a name [T402]"),
+        (5, "pad `sda` has the name of a net [T401]"),
+        (7, "pad `clk` has the name of a clock [T401]"),
+        (8, "pad `sda` has the name of an instance [T401]"),
+        (9, "pad `friend` has a reserved word for a name [T402]"),
+        (10, "pad `other` has the name of an output [T401]"),
+        (13, "pad `sda` has the name of a memory [T401]"),
+    ] {
+        let found = problems(&Wired { wrong });
+        assert!(found.starts_with(message), "{found}");
+    }
     let below = problems(&Board);
     assert!(below.starts_with("pad `u_sda` is in `wired_wrong0`, which is not the top [T515]"), "{below}");
     let lanes = problems(&Row);
