@@ -2,6 +2,7 @@
 //! differs.
 
 use crate::batch::{self, Printed, Refused, Tool};
+use crate::board::on_a_board;
 use crate::drawn::{Drawn, Kind};
 use crate::stimulus::Run;
 use crate::{many, reduce, stimulus};
@@ -82,6 +83,15 @@ pub enum Against {
     Linters,
 }
 
+/// A run of a design in our simulator.
+struct Simulated {
+    recording: Recording,
+    /// What other tools get, if they are asked.
+    printed: Option<Printed>,
+    /// What they get of a design with pads, without models of them.
+    on_a_board: Option<Printed>,
+}
+
 /// What became of one design.
 enum Verdict {
     Agrees,
@@ -154,15 +164,17 @@ impl Campaign {
 
     fn batch(&self, first: u64, count: u64) -> Summary {
         let mut summary = Summary::default();
-        let (mut numbers, mut printed) = (Vec::new(), Vec::new());
+        let (mut numbers, mut printed, mut boards) = (Vec::new(), Vec::new(), Vec::new());
         for number in first..first + count {
             summary.designs += 1;
             match self.simulate(&self.design(number), number) {
-                Ok((replay, design)) => {
-                    summary.cycles += replay.steps.len() as u64;
-                    summary.outputs += replay.steps.iter().map(|step| step.outputs.len() as u64).sum::<u64>();
-                    numbers.extend(design.as_ref().map(|_| number));
-                    printed.extend(design);
+                Ok(run) => {
+                    let steps = &run.recording.steps;
+                    summary.cycles += steps.len() as u64;
+                    summary.outputs += steps.iter().map(|step| step.outputs.len() as u64).sum::<u64>();
+                    numbers.extend(run.printed.as_ref().map(|_| number));
+                    printed.extend(run.printed);
+                    boards.extend(run.on_a_board.map(|board| (number, board)));
                 }
                 Err(what) => summary.failures.push(self.fails(number, what, Against::Simulator)),
             }
@@ -177,8 +189,23 @@ impl Campaign {
                 (None, Verdict::Unusable) => summary.unusable += 1,
             }
         }
+        self.compare_boards(boards, &mut summary);
         summary.failures.sort_by_key(|failure| failure.number);
         summary
+    }
+
+    /// Compares designs with pads without models of these. Verilator knows no strengths.
+    fn compare_boards(&self, mut boards: Vec<(u64, Printed)>, summary: &mut Summary) {
+        boards.retain(|(number, _)| summary.failures.iter().all(|failure| failure.number != *number));
+        if boards.is_empty() || self.tool != Tool::Icarus {
+            return;
+        }
+        let (numbers, printed): (Vec<u64>, Vec<Printed>) = boards.into_iter().unzip();
+        for (number, verdict) in numbers.into_iter().zip(self.compare(&printed)) {
+            if let Verdict::Differs(what) = verdict {
+                summary.failures.push(self.fails(number, format!("on a board: {what}"), Against::Simulator));
+            }
+        }
     }
 
     /// What became of each design; a batch that the tool refuses is halved until the culprit is alone.
@@ -212,18 +239,13 @@ impl Campaign {
     }
 
     /// Makes, runs and prints a design; what goes wrong on the way is a failure as well.
-    fn simulate(&self, spec: &Drawn, number: u64) -> Result<(Recording, Option<Printed>), String> {
+    fn simulate(&self, spec: &Drawn, number: u64) -> Result<Simulated, String> {
         let make = || spec.design(number).map_err(|problems| problems.to_string());
         let design = quietly(make)?;
         quietly(|| self.simulate_design(&design, spec, number))
     }
 
-    fn simulate_design(
-        &self,
-        design: &Design,
-        spec: &Drawn,
-        number: u64,
-    ) -> Result<(Recording, Option<Printed>), String> {
+    fn simulate_design(&self, design: &Design, spec: &Drawn, number: u64) -> Result<Simulated, String> {
         let Run { recording, fails, covers, shown } =
             stimulus::run(design, spec.stimulus()).map_err(|error| error.to_string())?;
         many::check(design, spec.stimulus(), number)?;
@@ -237,7 +259,8 @@ impl Campaign {
             shown: Some(shown),
         };
         let printed = spec.is_printed().then(print);
-        Ok((recording, printed))
+        let on_a_board = printed.as_ref().and_then(|printed| on_a_board(design, printed));
+        Ok(Simulated { recording, printed, on_a_board })
     }
 
     /// What is wrong with one design, if anything.
@@ -245,15 +268,19 @@ impl Campaign {
         self.verdict(self.simulate(spec, number), against)
     }
 
-    fn verdict(&self, simulated: Result<(Recording, Option<Printed>), String>, against: Against) -> Option<String> {
+    fn verdict(&self, simulated: Result<Simulated, String>, against: Against) -> Option<String> {
         match (simulated, against) {
-            (Ok((_, None)), _) => None,
-            (Ok((_, Some(printed))), Against::Linters) => self.lint(&[printed], true).remove(&0),
-            (Ok((_, Some(printed))), Against::Simulator) => match self.compare(&[printed]).remove(0) {
-                Verdict::Differs(what) => Some(what),
-                Verdict::Agrees | Verdict::Unusable => None,
-            },
             (Err(what), _) => Some(what),
+            (Ok(Simulated { printed: None, .. }), _) => None,
+            (Ok(Simulated { printed: Some(printed), .. }), Against::Linters) => self.lint(&[printed], true).remove(&0),
+            (Ok(Simulated { printed, on_a_board, .. }), Against::Simulator) => {
+                let on_a_board = on_a_board.filter(|_| self.tool == Tool::Icarus);
+                let differs = |printed: Printed| match self.compare(&[printed]).remove(0) {
+                    Verdict::Differs(what) => Some(what),
+                    Verdict::Agrees | Verdict::Unusable => None,
+                };
+                printed.into_iter().chain(on_a_board).find_map(differs)
+            }
         }
     }
 
@@ -312,7 +339,9 @@ impl Campaign {
         std::fs::create_dir_all(&folder).expect("a temporary folder can be made");
         // Without a testbench where our simulator itself fails.
         let files = match self.simulate(spec, number) {
-            Ok((_, Some(Printed { files, bench, .. }))) => files.into_iter().chain([bench]).collect(),
+            Ok(Simulated { printed: Some(Printed { files, bench, .. }), .. }) => {
+                files.into_iter().chain([bench]).collect()
+            }
             Err(_) if spec.is_printed() => {
                 let print = |design: Design| quietly(|| Ok(verilog(&design))).unwrap_or_default();
                 spec.design(number).map_or(Vec::new(), print)

@@ -31,6 +31,7 @@ features! {
     CrossByFifo StreamStages ForkToMany SplitToMany ArbiterOfMany CodeInAStream SignedInAStream
     Counter ShiftRegister Lfsr Encoders Shifter Multiplier Crc
     Enabled Displayed WriteFirst Foreign
+    InputPad OutputPad OpenDrain BothWays PullUp Renamed NamesItsClocks CalledAgain
     Synchronous SynchronousLow Asynchronous AsynchronousLow PowerOn Falling
     InitialInShapes UpdatesInShapes RecordInShapes CoverInShapes PastInShapes
 }

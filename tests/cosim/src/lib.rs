@@ -1,6 +1,7 @@
 //! Compares the simulator with other simulators on the printed Verilog.
 //!
 //! - [`operators`] and [`matrix`]: every operator at every width against big integers, Icarus and Verilator;
+//! - [`board`]: a design with pads without their models;
 //! - [`campaign`]: thousands of random designs, shrunk where they differ;
 //! - [`drawn`]: a random design of one of three kinds;
 //! - [`shaped`]: random circuits whose values have shapes, built node by node;
@@ -14,6 +15,7 @@
 //! - [`workers`]: two threads that share jobs.
 
 pub mod batch;
+pub mod board;
 pub mod build;
 pub mod campaign;
 pub mod check;

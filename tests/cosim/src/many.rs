@@ -2,7 +2,8 @@
 
 use crate::spec::Stimulus;
 use crate::stimulus::Numbers;
-use tilewright_hdl::ir::Node;
+use std::collections::BTreeSet;
+use tilewright_hdl::ir::{Node, NodeId};
 use tilewright_hdl::{Bits, Design};
 use tilewright_sim::{Batch, EngineKind, Error, Port, Simulation};
 
@@ -31,22 +32,30 @@ fn resets(stimulus: &Stimulus) -> impl Iterator<Item = bool> {
 /// The inputs of one run.
 struct Inputs<'a> {
     numbers: Numbers,
-    ports: Vec<&'a Node>,
+    /// The ports, and whether the outside of a pad drives by it.
+    ports: Vec<(&'a Node, bool)>,
 }
 
 impl<'a> Inputs<'a> {
     fn new(design: &'a Design, stimulus: &Stimulus, run: u32) -> Inputs<'a> {
         let top = design.top();
-        let ports = top.inputs.iter().map(|input| top.node(input.node)).collect();
+        let pads = top.instances.iter().filter(|pad| design.module(pad.module).is_pad);
+        let drive: BTreeSet<NodeId> = pads.filter_map(|pad| Some(pad.outside()?[1])).collect();
+        let ports = top.inputs.iter().map(|input| (top.node(input.node), drive.contains(&input.node))).collect();
         Inputs { numbers: Numbers(stimulus.seed.wrapping_add(u64::from(run) << 32)), ports }
     }
 
     /// What the next step sets: the input's index and its value.
     fn next(&mut self) -> Vec<(usize, Bits)> {
         let Inputs { numbers, ports } = self;
-        let set = ports.iter().enumerate().filter_map(|(index, node)| {
+        let set = ports.iter().enumerate().filter_map(|(index, (node, drives))| {
             let stays = numbers.draw().is_multiple_of(4);
-            (!stays).then(|| (index, numbers.lanes(node)))
+            // An assertion ends all runs where both sides of a pad drive it and differ.
+            let value = |numbers: &mut Numbers| match *drives && !numbers.draw().is_multiple_of(16) {
+                true => Bits::zero(1),
+                false => numbers.lanes(node),
+            };
+            (!stays).then(|| (index, value(numbers)))
         });
         set.collect()
     }

@@ -7,6 +7,7 @@
 //! A design has one or two clocks; each step belongs to one of them and sees its values alone, but for the declared
 //! crossings. A value that no other step reads is an output, so that nothing goes unobserved.
 
+mod border;
 mod control;
 mod form;
 mod instances;
@@ -14,6 +15,7 @@ mod lanes;
 mod stores;
 
 use crate::stimulus::Numbers;
+pub use border::{Drives, Pad};
 pub use control::{Ask, Coded, Exits, Machine};
 pub use form::{Form, Meaning};
 pub use instances::{Declared, Feed, Gather, Library, LibraryBlock};
@@ -69,6 +71,8 @@ impl Stimulus {
 pub struct Part {
     /// The input ports.
     pub inputs: Vec<Input>,
+    /// It calls its clocks by names of its own, in whose place those of the design run; the top does not.
+    pub names_clocks: bool,
     /// What is in it, in order; a step sees the values of the steps before it, and a register's next value sees all.
     pub steps: Vec<Step>,
 }
@@ -137,6 +141,8 @@ pub struct Step {
     pub clock: ClockPick,
     /// It is in a part that this value enables.
     pub enabled: Option<Pick>,
+    /// It names another clock, in whose place its own runs.
+    pub renamed: bool,
     /// What it is.
     pub make: Make,
 }
@@ -230,6 +236,10 @@ pub enum Make {
     Declared(Declared),
     /// A block of the library.
     Library(Library),
+    /// A pad, in the top.
+    Pad(Pad),
+    /// Calls of a helper. All calls in a part declare objects of the same names.
+    Again { times: u8, of: Pick },
     /// A condition that may fail: a value is never this one.
     Never(Pick, Pattern),
     /// An instance of an earlier part.

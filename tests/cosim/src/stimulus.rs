@@ -1,5 +1,7 @@
 //! Runs a design in our simulator under random inputs, and keeps what went in and came out.
 
+mod pads;
+
 use crate::spec::{Pattern, Stimulus};
 use tilewright_hdl::ir::Node;
 use tilewright_hdl::{Bits, Design, Recording};
@@ -116,6 +118,7 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
     let top = design.top();
     let inputs = top.inputs.iter().map(|input| Ok((sim.port(&input.name)?, top.node(input.node))));
     let inputs = inputs.collect::<Result<Vec<_>, tilewright_sim::Error>>()?;
+    let outsides = pads::outsides(design, &sim);
     // A third starts from garbage.
     if stimulus.seed.is_multiple_of(3) {
         sim = sim.seeded(stimulus.seed | 1);
@@ -139,6 +142,7 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
             *active = !*active;
             sim.set_reset(*clock, *active);
         }
+        outsides.iter().for_each(|outside| outside.give_way(&mut sim, &mut numbers));
         let resets_all = numbers.draw().is_multiple_of(12);
         if resets_all {
             resets.iter_mut().for_each(|(_, active)| *active = false);

@@ -36,7 +36,11 @@ fn stimulus() -> impl Strategy<Value = Stimulus> {
 }
 
 fn part(most_steps: usize) -> impl Strategy<Value = Part> {
-    (vec(input(), 0..5), vec(step(), 1..most_steps)).prop_map(|(inputs, steps)| Part { inputs, steps })
+    (vec(input(), 0..5), names_clocks(), vec(step(), 1..most_steps)).prop_map(|(inputs, names_clocks, steps)| Part {
+        inputs,
+        names_clocks,
+        steps,
+    })
 }
 
 fn input() -> impl Strategy<Value = Input> {
@@ -100,12 +104,23 @@ fn pattern() -> impl Strategy<Value = Pattern> {
 fn step() -> impl Strategy<Value = Step> {
     let make =
         prop_oneof![12 => operator().boxed(), 6 => choice().boxed(), 4 => wiring().boxed(), 10 => object().boxed()];
-    (clock(), enabled(), make).prop_map(|(clock, enabled, make)| Step { clock, enabled, make })
+    on_a_clock(make.boxed())
 }
 
-/// What enables a step, of one in ten.
-fn enabled() -> impl Strategy<Value = Option<Pick>> {
-    weighted(0.1, pick())
+/// A step on some clock, which makes one of these.
+fn on_a_clock(make: BoxedStrategy<Make>) -> impl Strategy<Value = Step> {
+    // One in ten is enabled, and one in ten names another clock.
+    (clock(), weighted(0.1, pick()), weighted(0.1, Just(())), make).prop_map(|(clock, enabled, renamed, make)| Step {
+        clock,
+        enabled,
+        renamed: renamed.is_some(),
+        make,
+    })
+}
+
+/// Whether a part calls its clocks by names of its own.
+fn names_clocks() -> impl Strategy<Value = bool> {
+    weighted(0.2, Just(())).prop_map(|names| names.is_some())
 }
 
 fn relation() -> impl Strategy<Value = Relation> {

@@ -87,6 +87,27 @@ fn hiding_printer(design: &Design) -> Vec<VerilogFile> {
     files.map(|file| VerilogFile { text: file.text.lines().map(hiding).collect(), ..file }).collect()
 }
 
+/// Lets go of a pad while it drives.
+fn letting_go(design: &Design) -> Vec<VerilogFile> {
+    let wrong = |line: &str| match line.ends_with("'bz;") {
+        true => line.replace(" ? ", " === 1'b0 ? ") + "\n",
+        false => line.to_owned() + "\n",
+    };
+    let files = verilog(design).into_iter();
+    files.map(|file| VerilogFile { text: file.text.lines().map(wrong).collect(), ..file }).collect()
+}
+
+#[test]
+fn a_pad_that_lets_go_is_found() {
+    if !Tool::Icarus.is_here() {
+        return;
+    }
+    let campaign = Campaign { printer: letting_go, batch: 30, lints: false, shrinks: 0, ..Campaign::icarus(SEED, 60) };
+    let summary = campaign.run(|_| {});
+    let failure = summary.failures.first().expect("a wrong pad goes unnoticed");
+    assert!(failure.what.starts_with("on a board: FAIL: cycle "), "{failure}");
+}
+
 #[test]
 fn a_label_that_hides_a_name_is_found() {
     let campaign = Campaign::icarus(SEED, 0);

@@ -1,7 +1,9 @@
 //! Steps that are instances of earlier parts, alone and in arrays.
 
+use super::border::Pads;
 use super::expression::binary;
 use super::{Builder, PartBlock, PartIn, Ports, child_index, fit, narrow};
+use crate::features::Feature;
 use crate::spec::*;
 use crate::stimulus::Numbers;
 use tilewright_hdl::ir::Reduction;
@@ -31,6 +33,13 @@ impl Builder<'_> {
         name
     }
 
+    /// A clock that a child has another name for than the part has, and the handle of the one in its place.
+    fn given(&self, d: usize, domain: usize, child: &PartBlock) -> Option<(Module, Clock)> {
+        let named = child.clock(domain).filter(|_| [self.block, child].iter().any(|it| it.names_clocks()))?;
+        Feature::NamesItsClocks.used();
+        Some((self.on(Self::outside(d, domain)), named))
+    }
+
     pub fn instance(&mut self, d: usize, number: usize, child: &PartBlock, inputs: &[Pick]) {
         let mut picks = inputs.iter().copied().chain(std::iter::repeat(Pick(1)));
         let [own, second] = [0, 1].map(|domain| {
@@ -38,8 +47,10 @@ impl Builder<'_> {
                 |input: &Input| self.pick_into(Self::outside(d, domain), picks.next().expect("endless"), input.form);
             child.ports_on(domain, feed)
         });
-        let name = self.instance_name(number);
-        let out = self.on(d).instance(&name, child, PartIn { own, second });
+        let (name, module) = (self.instance_name(number), self.on(d));
+        let into = PartIn { own, second, pads: Pads::default() };
+        let clocks = [0, 1].map(|domain| self.given(d, domain, child));
+        let out = in_place_of(clocks, || module.instance(&name, child, into));
         for (domain, signals) in [(0, out.out), (1, out.second_out), (0, out.link), (1, out.second_link)] {
             signals.values().into_iter().for_each(|signal| self.push(Self::outside(d, domain), signal));
         }
@@ -49,19 +60,22 @@ impl Builder<'_> {
         let module = self.on(d);
         let mut feeds = row.inputs.iter().copied().chain(std::iter::repeat((Feed::Broadcast, Pick(1))));
         let name = self.inner_name(&format!("u{}_{number}", self.block.index));
-        let out = module.array(&name, row.lanes, child, |array| {
-            let links = [array.link.clone(), array.second_link.clone()].map(Ports::values);
-            let [own, second] = [0, 1].map(|domain| {
-                let mut links = links[domain].iter();
-                let feed = |input: &Input| {
-                    let link = input.link.and_then(|link| Some((link, links.next()?.bits())));
-                    let (feed, pick) = feeds.next().expect("endless");
-                    let fed = self.feed(&row, Self::outside(d, domain), (feed, pick, input.form.width()), link);
-                    input.form.meaning.read(fed)
-                };
-                child.ports_on(domain, feed)
-            });
-            PartIn { own, second }
+        let clocks = [0, 1].map(|domain| self.given(d, domain, child));
+        let out = in_place_of(clocks, || {
+            module.array(&name, row.lanes, child, |array| {
+                let links = [array.link.clone(), array.second_link.clone()].map(Ports::values);
+                let [own, second] = [0, 1].map(|domain| {
+                    let mut links = links[domain].iter();
+                    let feed = |input: &Input| {
+                        let link = input.link.and_then(|link| Some((link, links.next()?.bits())));
+                        let (feed, pick) = feeds.next().expect("endless");
+                        let fed = self.feed(&row, Self::outside(d, domain), (feed, pick, input.form.width()), link);
+                        input.form.meaning.read(fed)
+                    };
+                    child.ports_on(domain, feed)
+                });
+                PartIn { own, second, pads: Pads::default() }
+            })
         });
         let mut gathers = row.outputs.iter().copied().chain(std::iter::repeat(Gather::Reduce(Reduction::Xor)));
         for (domain, lanes) in [(0, out.out), (1, out.second_out), (0, out.link), (1, out.second_link)] {
@@ -134,6 +148,18 @@ impl Builder<'_> {
             }),
             _ => self.pick_fit(d, pick, width),
         }
+    }
+}
+
+/// What `describe` describes, with each of two clocks in the place of the other one beside it.
+fn in_place_of<R>([own, second]: [Option<(Module, Clock)>; 2], describe: impl FnOnce() -> R) -> R {
+    let within = || match second {
+        Some((m, clock)) => m.in_place_of(clock, describe),
+        None => describe(),
+    };
+    match own {
+        Some((m, clock)) => m.in_place_of(clock, within),
+        None => within(),
     }
 }
 

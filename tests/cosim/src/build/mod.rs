@@ -1,5 +1,8 @@
 //! Random designs as hardware.
 
+mod again;
+mod border;
+pub mod clocks;
 mod declared;
 mod expression;
 mod fit;
@@ -17,10 +20,12 @@ mod statements;
 
 use crate::features::Feature;
 use crate::spec::*;
+use border::Pads;
 pub use expression::compare;
 use fit::{fit, narrow};
 use instances::Row;
 use names::{Kind, Namer, Ports};
+use std::collections::VecDeque;
 use std::fmt;
 use std::rc::Rc;
 use tilewright_hdl::*;
@@ -32,6 +37,8 @@ bundle! {
         pub own: Ports<T>,
         /// On the second clock.
         pub second: Ports<T>,
+        /// The other sides of pads.
+        pub pads: Pads<T>,
     }
     /// The outputs of a part, by clock.
     pub struct PartOut<T> {
@@ -111,14 +118,8 @@ impl PartBlock {
         self.sizes[self.index][number]
     }
 
-    fn second(&self) -> Option<Clock> {
-        let ([_, reset], [_, edge]) = (self.spec.stimulus.resets(), self.spec.stimulus.edges());
-        self.spec.second_period.map(|period| Clock { edge, ..Clock::new("second", Period::ps(period)).reset(reset) })
-    }
-
-    /// The clock's place in the bundles.
-    fn domain(&self, clock: ClockPick) -> usize {
-        usize::from(clock == ClockPick::Second && self.spec.second_period.is_some())
+    fn is_top(&self) -> bool {
+        self.index + 1 == self.spec.parts.len()
     }
 
     fn inputs_on(&self, domain: usize) -> impl Iterator<Item = &Input> {
@@ -127,7 +128,7 @@ impl PartBlock {
 
     /// The inputs of a clock, each made of its description.
     fn ports_on<T>(&self, domain: usize, mut make: impl FnMut(&Input) -> T) -> Ports<T> {
-        let named = self.part().inputs.iter().zip(Namer::of(self).1);
+        let named = self.part().inputs.iter().zip(Namer::of(self).inputs);
         let ours = named.filter(|(input, _)| self.domain(input.clock) == domain);
         Ports(ours.map(|(input, name)| (name, make(input))).collect())
     }
@@ -142,14 +143,17 @@ impl Block for PartBlock {
             input.form.meaning.used(Feature::SignedPort, Feature::CodePort);
             input.form.layout()
         };
-        let own = self.ports_on(0, layout);
-        let second = self.second().map(|clock| self.ports_on(1, |input| layout(input).on(clock)));
-        PartIn { own, second: second.unwrap_or_default() }
+        let [own, second] = [0, 1].map(|domain| {
+            let clock = self.clock(domain);
+            self.ports_on(domain, |input| clock.map_or(layout(input), |clock| layout(input).on(clock)))
+        });
+        PartIn { own, second, pads: self.outsides(Namer::of(self).pads) }
     }
 
     fn build(&self, m: Module, i: PartIn) -> PartOut {
         m.ignore(&i);
-        let mut builder = Builder::new(self, m, [i.own.values(), i.second.values()]);
+        let outsides = i.pads.0.into_iter().map(|(_, outside)| outside).collect();
+        let mut builder = Builder::new(self, m, [i.own.values(), i.second.values()], outsides);
         for (number, step) in self.part().steps.iter().enumerate() {
             builder.step(number, step);
         }
@@ -163,17 +167,22 @@ impl Block for PartBlock {
     /// Some parts are models of foreign modules, with ports of other names. None is where an instance is enabled, as
     /// no enable reaches a foreign module.
     fn foreign(&self) -> Option<Foreign> {
-        let is_top = self.index + 1 == self.spec.parts.len();
         let mut steps = self.spec.parts.iter().flat_map(|part| &part.steps);
         let has_parts = |make: &Make| matches!(make, Make::Instance { .. } | Make::Array { .. });
-        if is_top || self.part().steps.len() % 3 != 1 || steps.any(|it| it.enabled.is_some() && has_parts(&it.make)) {
+        if self.is_top()
+            || self.part().steps.len() % 3 != 1
+            || steps.any(|it| it.enabled.is_some() && has_parts(&it.make))
+        {
             return None;
         }
         Feature::Foreign.used();
         let foreign =
             Foreign::module(&format!("FOREIGN_{self:?}")).clock("CK").reset("RS").parameter("PART", self.index as u32);
-        let of_second = |foreign: Foreign, second| foreign.clock_of(second, "CK2").reset_of(second, "RS2");
-        Some(self.second().into_iter().fold(foreign, of_second))
+        let of_named = |foreign: Foreign, domain: usize| match self.clock(domain) {
+            Some(clock) => foreign.clock_of(clock, &format!("CK{domain}")).reset_of(clock, &format!("RS{domain}")),
+            None => foreign,
+        };
+        Some([0, 1].into_iter().fold(foreign, of_named))
     }
 }
 
@@ -201,10 +210,16 @@ struct Builder<'a> {
     /// Outputs of arrays, by clock.
     rows: [Vec<Signal>; 2],
     namer: Namer,
+    /// The other sides of the pads that are still to come.
+    outsides: VecDeque<Outside>,
+    /// What the step names in place of a clock.
+    renamed: Option<(usize, Clock)>,
+    /// The names that a helper asks for again and again.
+    helper: Option<again::Names>,
 }
 
 impl<'a> Builder<'a> {
-    fn new(block: &'a PartBlock, module: Module, inputs: [Vec<Signal>; 2]) -> Self {
+    fn new(block: &'a PartBlock, module: Module, inputs: [Vec<Signal>; 2], outsides: VecDeque<Outside>) -> Self {
         let pools = inputs.map(|of| of.into_iter().map(|signal| Pooled { signal, is_read: true }).collect());
         let mut builder = Builder {
             block,
@@ -212,12 +227,16 @@ impl<'a> Builder<'a> {
             pools,
             late: Vec::new(),
             rows: [Vec::new(), Vec::new()],
-            namer: Namer::of(block).0,
+            namer: Namer::of(block).namer,
+            outsides,
+            renamed: None,
+            helper: None,
         };
         if block.second().is_some() {
             // With state on the own clock, inputs that name no clock belong to it.
             Feature::Def.used();
-            def!(beat = module.reg(1).reset(0));
+            let own = builder.on(0);
+            def!(beat = own.reg(1).reset(0));
             beat.next(!beat);
             builder.push(0, *beat);
         }
@@ -268,14 +287,6 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The module seen from a clock.
-    fn on(&self, domain: usize) -> Module {
-        match self.block.second() {
-            Some(clock) if domain == 1 => self.module.on(clock),
-            _ => self.module,
-        }
-    }
-
     /// A name for a register, a net or an array.
     fn inner_name(&mut self, plain: &str) -> String {
         self.namer.draw(plain, Kind::Inner)
@@ -298,14 +309,6 @@ impl<'a> Builder<'a> {
             }
         }
         meaning.made_of(self.pick_late(domain, pick, meaning.width(width))).operand()
-    }
-
-    fn step(&mut self, number: usize, step: &Step) {
-        let d = self.block.domain(step.clock);
-        let Some(enable) = step.enabled else { return self.make(d, number, step) };
-        Feature::Enabled.used();
-        let enable = self.pick_fit(d, enable, 1);
-        self.on(d).enabled(enable, || self.make(d, number, step));
     }
 
     fn make(&mut self, d: usize, number: usize, step: &Step) {
@@ -332,6 +335,8 @@ impl<'a> Builder<'a> {
             Make::Coded(coded) => self.coded(d, number, coded),
             Make::PowerOn { .. } => self.power_on(d, number, &step.make),
             Make::InParts(parts) => self.parts(d, number, parts),
+            Make::Pad(pad) => self.pad(d, number, pad),
+            Make::Again { times, of } => self.again(d, *times, *of),
             Make::Declared(declared) => self.declared(d, number, declared),
             Make::Never(pick, pattern) => {
                 let signal = self.pick(d, *pick);

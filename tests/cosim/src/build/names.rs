@@ -1,7 +1,8 @@
 //! Names of random designs: words that the printer, the testbench or a tool could use for something else, and near
 //! misses of those that the design has already.
 
-use super::{Part, PartBlock};
+use super::border::pads;
+use super::{Part, PartBlock, clocks};
 use crate::stimulus::Numbers;
 use std::collections::{BTreeSet, HashSet};
 use std::sync::LazyLock;
@@ -130,6 +131,14 @@ fn is_reserved(name: &str, kind: Kind) -> bool {
     VERILOG.contains(name) || kind != Kind::Inner && CPP.contains(name)
 }
 
+/// The names of what a part has from outside, and the namer of the rest.
+#[derive(Debug)]
+pub struct Named {
+    pub namer: Namer,
+    pub inputs: Vec<String>,
+    pub pads: Vec<String>,
+}
+
 /// Draws the names of a part.
 #[derive(Debug)]
 pub struct Namer {
@@ -143,10 +152,9 @@ pub struct Namer {
 }
 
 impl Namer {
-    /// The namer of a part, when its inputs have their names.
-    pub fn of(block: &PartBlock) -> (Namer, Vec<String>) {
-        let is_inner = block.index + 1 < block.spec.parts.len();
-        let mut namer = Namer::new(block.spec.names, &format!("{block:?}"), block.index, is_inner);
+    /// The namer of a part, when its inputs and its pads have their names.
+    pub fn of(block: &PartBlock) -> Named {
+        let mut namer = Namer::new(block.spec.names, &format!("{block:?}"), block.index, !block.is_top());
         let Part { inputs, .. } = block.part();
         let list = namer.list();
         let input = |number| match &list {
@@ -154,7 +162,10 @@ impl Namer {
             _ => namer.draw(&format!("in_{number}"), Kind::Input),
         };
         let inputs = (0..inputs.len()).map(input).collect();
-        (namer, inputs)
+        let ends = ["_value", "_drives"].map(str::to_owned);
+        let pads = pads(block.part(), block.is_top());
+        let pads = pads.map(|(number, ..)| namer.draw_with(&format!("pad_{number}"), Kind::Input, &ends)).collect();
+        Named { namer, inputs, pads }
     }
 
     /// The namer of the part of that number, a module of that name, for the seed of a design; 0 draws no names.
@@ -163,8 +174,7 @@ impl Namer {
         let all: Vec<&str> = VERILOG_WORDS.iter().chain(WORDS).copied().collect();
         let mut words: Vec<String> = (0..6).map(|_| all[words.draw() as usize % all.len()].to_owned()).collect();
         words.push(module.to_owned());
-        let taken =
-            ["clk", "rst", "rst_n", "second_clk", "second_rst", "second_rst_n", "beat"].map(str::to_owned).into();
+        let taken = clocks::ports().chain(["beat".to_owned()]).collect();
         let numbers = (seed != 0).then(|| Numbers(seed.wrapping_add(index as u64 + 1)));
         Namer { numbers, words, taken, is_inner }
     }

@@ -91,7 +91,7 @@ impl Builder<'_> {
                     mem.words(words.iter().take(memory.depth as usize).map(|word| meaning.constant(*word, width)))
                 }
             };
-            let second = self.block.second().filter(|_| crossing);
+            let second = self.clock(1).filter(|_| crossing);
             let seen_from = |domain| second.filter(|_| domain == 1).map_or(mem, |clock| mem.on(clock));
             let (reading, writing) = (seen_from(d), seen_from(writer));
             for &(asynchronous, enable, address) in &reads {

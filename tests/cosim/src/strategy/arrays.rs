@@ -6,8 +6,10 @@ use tilewright_hdl::ir::Reduction;
 
 /// Parts of which each has arrays of the one before, with values that are mostly of one size.
 pub fn nested() -> impl Strategy<Value = Vec<Part>> {
-    let leaf = (vec(input(), 1..5), vec(step(), 1..12)).prop_map(|(inputs, steps)| Part { inputs, steps });
-    let outer = (vec(input(), 1..4), vec(outer_step(), 1..6)).prop_map(|(inputs, steps)| Part { inputs, steps });
+    let leaf = (vec(input(), 1..5), names_clocks(), vec(step(), 1..12));
+    let outer = (vec(input(), 1..4), names_clocks(), vec(outer_step(), 1..6));
+    let leaf = leaf.prop_map(|(inputs, names_clocks, steps)| Part { inputs, names_clocks, steps });
+    let outer = outer.prop_map(|(inputs, names_clocks, steps)| Part { inputs, names_clocks, steps });
     let size =
         || prop_oneof![Just(Size::Any), Just(Size::Flags), Just(Size::Bytes), Just(Size::Halves), Just(Size::Words)];
     let sized = |part| (size(), part).prop_map(|(size, part)| resized(part, size));
@@ -22,8 +24,7 @@ pub fn nested() -> impl Strategy<Value = Vec<Part>> {
 fn outer_step() -> impl Strategy<Value = Step> {
     let lanes = select(vec![2u32, 3, 4, 4, 5, 8, 8, 16, 16, 17, 33]);
     let array = lanes.prop_flat_map(|lanes| array(lanes..lanes + 1));
-    let array = (clock(), enabled(), array).prop_map(|(clock, enabled, make)| Step { clock, enabled, make });
-    prop_oneof![3 => array.boxed(), 2 => step().boxed()]
+    prop_oneof![3 => on_a_clock(array.boxed()).boxed(), 2 => step().boxed()]
 }
 
 /// Of what size values mostly are.

@@ -25,7 +25,24 @@ pub fn object() -> impl Strategy<Value = Make> {
         2 => (crossing(), pick()).prop_map(|(by, of)| Make::Cross { by, of }),
         3 => (part_pick(), vec(pick(), 0..5)).prop_map(|(part, inputs)| Make::Instance { part, inputs }),
         4 => arrays::array(1..6),
+        2 => pad().prop_map(Make::Pad),
+        1 => (1..4u8, pick()).prop_map(|(times, of)| Make::Again { times, of }),
     ]
+}
+
+fn pad() -> impl Strategy<Value = Pad> {
+    let drives = prop_oneof![
+        1 => Just(Drives::Never),
+        1 => Just(Drives::Always),
+        2 => control().prop_map(Drives::Low),
+        3 => control().prop_map(Drives::While),
+    ];
+    (width(), any::<bool>(), drives, pick()).prop_map(|(width, pull_up, drives, out)| Pad {
+        width,
+        pull_up,
+        drives,
+        out,
+    })
 }
 
 /// An attribute, in a fifth.
