@@ -289,6 +289,47 @@ fn rustc_says_how_a_clause_is_written() {
     assert!(said.contains("E0424") && said.contains("expected value, found module `self`"), "{said}");
 }
 
+/// Every clause twice, what is no clause at all, and no range.
+const WRONG_CLAUSES: &str = r#"
+use tilewright_hdl::*;
+block! { struct Ranges { width: u32 } ranges { width: 1..=8 } ranges { width: 1..=8 } }
+block! { struct Name; name = "name"; name = "name"; }
+block! { struct From; foreign = Foreign::module("FROM"); foreign = Foreign::module("FROM"); }
+block! { struct Late; latency = "2 clocks"; latency = "2 clocks"; }
+block! { struct Source; source = "section 3"; source = "section 3"; }
+block! { struct Fed; in FedIn { a: bit() } in MoreIn { a: bit() } }
+block! { struct Gives; out GivesOut { a: bit() } out MoreOut { a: bit() } }
+block! { struct Other; 5 }
+"#;
+
+#[test]
+fn rustc_says_which_clause_is_there_twice() {
+    let said = compile(WRONG_CLAUSES);
+    for message in [
+        "a block has one clause `ranges`, as in `ranges { depth: 2..=8,",
+        "a block has one clause `name`, as in `name = \"uart\";`",
+        "a block has one clause `foreign`, as in `foreign = Foreign::module(\"EHXPLLL\").capitals();`",
+        "a block has one clause `latency`, as in `latency = \"2 clocks\";`",
+        "a block has one clause `source`, as in `source = \"section 3\";`",
+        "a block has one clause `in`, as in `in AdderIn {",
+        "a block has one clause `out`, as in `out AdderOut {",
+        "the clauses of a block are `ranges { .. }`, `name = ..;`,",
+    ] {
+        assert!(said.contains(message), "nothing says `{message}`:\n{said}");
+    }
+    let said = compile(NO_RANGE);
+    assert!(said.contains("a `{float}` does not say which values a parameter may have"), "{said}");
+}
+
+/// A parameter whose values are no range.
+const NO_RANGE: &str = r"
+use tilewright_hdl::*;
+block! { struct Ranges { width: u32 } ranges { width: 2.5 } }
+impl Ranges {
+    fn build(&self, _: Module, (): ()) {}
+}
+";
+
 /// A test with a process where a group is expected.
 const NO_GROUP: &str = r"
 use tilewright_sim::Testbench;

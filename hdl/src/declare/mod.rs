@@ -270,10 +270,10 @@ macro_rules! block {
             $latency $source $in $out $($rest)*
         }
     };
-    (@clauses $block:tt $latency:tt $source:tt $in:tt $out:tt latency $(($this:ident))? = $said:expr; $($rest:tt)*) => {
+    (@clauses $block:tt [""] $source:tt $in:tt $out:tt latency $(($this:ident))? = $said:expr; $($rest:tt)*) => {
         $crate::block! { @clauses $block [$($this)? $said] $source $in $out $($rest)* }
     };
-    (@clauses $block:tt $latency:tt $source:tt $in:tt $out:tt source = $said:expr; $($rest:tt)*) => {
+    (@clauses $block:tt $latency:tt [""] $in:tt $out:tt source = $said:expr; $($rest:tt)*) => {
         $crate::block! { @clauses $block $latency [$said] $in $out $($rest)* }
     };
     (@clauses $block:tt $latency:tt $source:tt [] $out:tt in $(($this:ident))? $name:ident { $($ports:tt)* } $($rest:tt)*) => {
