@@ -356,5 +356,7 @@ mod tests {
         assert_eq!(number, Some(8), "{}", long(1));
         let timing = "VideoTiming { h_visible: 640, h_front: 16, h_sync: 96, h_back: 48, v_visible: 480, v_front: 10, v_sync: 2 }";
         assert_eq!(printed(timing), format!("video_timing_{:08x}", hash(&format!(" {timing}"))));
+        let type_name = "Abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefgh";
+        assert_eq!(printed(type_name).len(), LONGEST);
     }
 }

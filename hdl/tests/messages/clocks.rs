@@ -274,6 +274,35 @@ fn a_clock_runs_in_place_of_one_with_its_period() {
         "  `fast` is given to the instance at [m.on(FAST).instance(\"u_named\", &Named, Link { x }).out]",
     ];
     assert!(text.starts_with(&lines.join("\n")), "{text}");
+    /// Has that block on its own clock.
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    struct Around;
+    impl Block for Around {
+        type In = Link;
+        type Out = Out;
+        fn inputs(&self) -> Link<Width> {
+            Link { x: bits(8) }
+        }
+        fn build(&self, m: Module, i: Link) -> Out {
+            m.instance("u_named", &Named, i)
+        }
+    }
+    let text = problems(&Case(|m, i| {
+        let x = i.a.quasi_static("set once");
+        m.on(FAST).instance("u_around", &Around, Link { x }).out
+    }));
+    assert!(text.starts_with(&lines[..2].join("\n")), "{text}");
+}
+
+#[test]
+fn a_clock_runs_in_place_of_one_with_its_reset() {
+    const LOW: Clock = Clock::new("low", Period::ns(4)).reset(Reset::AsynchronousLow);
+    expect(
+        |m, i| m.on(FAST).in_place_of(LOW, || m.on(LOW).pipe("low", i.a.quasi_static("set once"))),
+        "clock `low` has an active-low asynchronous reset, but `fast`, which runs in its place, a synchronous reset [T832]
+         --> [|m, i| m.on(FAST).in_place_of(LOW, || m.on(LOW).pipe(\"low\", i.a.quasi_static(\"set once\"))),]
+         help: give both clocks the same reset, or make the clock a parameter of the block",
+    );
 }
 
 #[test]
