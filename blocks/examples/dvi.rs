@@ -25,7 +25,7 @@ block! {
     /// The PLL of an ECP5 as it makes 125 MHz of 25 MHz. Its oscillator runs at 625 MHz.
     ///
     /// The model locks after some clocks.
-    pub struct Pll;
+    struct Pll;
     foreign = Foreign::module("EHXPLLL")
         .parameter("CLKI_DIV", 1)
         .parameter("CLKFB_DIV", 5)
@@ -98,7 +98,7 @@ block! {
     /// A pin of an ECP5 that sends two bits in each clock: the first one while the clock is high.
     ///
     /// The model shows the first bit in its output, and the second one in its register `second`.
-    pub struct DoubleRate;
+    struct DoubleRate;
     foreign = Foreign::module("ODDRX1F").clock_of(SERIAL, "SCLK").capitals();
     in DoubleRateIn {
         /// Resets the pin.
@@ -125,6 +125,7 @@ impl DoubleRate {
 
 record! {
     /// A colour, or the symbols of one.
+<<<<<<< ours
     pub struct Colour(width: u32) {
         /// How red it is.
         red: bits(width),
@@ -133,11 +134,15 @@ record! {
         /// How blue it is.
         blue: bits(width),
     }
+=======
+    struct Colour(width: u32) { red: bits(width), green: bits(width), blue: bits(width) }
+>>>>>>> theirs
 }
 
 block! {
     /// A chessboard. Its white squares are windows to bars that move to the left by a pixel a frame, and its black ones
     /// are shades.
+<<<<<<< ours
     pub struct TestPicture;
     in TestPictureIn {
         /// The column of the pixel.
@@ -147,6 +152,10 @@ block! {
         /// The number of the frame.
         frame: bits(8),
     }
+=======
+    struct TestPicture;
+    in TestPictureIn { x: bits(10), y: bits(10), frame: bits(8) }
+>>>>>>> theirs
     out(self) = Colour::widths(8);
 }
 
@@ -162,11 +171,16 @@ impl TestPicture {
 
 block! {
     /// The picture as symbols, one for each pixel and colour.
+<<<<<<< ours
     pub struct Symbols { timing: VideoTiming }
     in SymbolsIn {
         /// High from where frames are sent.
         runs: bit(),
     }
+=======
+    struct Symbols { timing: VideoTiming }
+    in SymbolsIn { runs: bit() }
+>>>>>>> theirs
     out(self) = Colour::widths(10);
 }
 
@@ -220,7 +234,11 @@ block! {
 }
 
 impl Dvi {
+<<<<<<< ours
     /// The chip for a screen of 640 by 480 pixels.
+=======
+    /// 640 x 480 pixels.
+>>>>>>> theirs
     pub const VGA: Dvi = Dvi { timing: VideoTiming::VGA };
 
     /// The chip with another timing, for tests.
