@@ -159,7 +159,7 @@ pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
     Answer, Batch, Condition, Covered, Error, IntoValue, Message, Messages, Monitor, Pauses, Port, Probe, Process,
-    Processes, Recorder, Simulation, Testbench, UnknownName, Vcd, Violation, Wave, WaveRadix, monitor,
+    Processes, Recorder, Simulation, Testbench, UnknownName, Unrepeated, Vcd, Violation, Wave, WaveRadix, monitor,
 };
 #[doc(hidden)]
 pub use testbench::{Traced, example, for_examples, traced};

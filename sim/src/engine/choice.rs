@@ -4,10 +4,10 @@ use std::cell::OnceCell;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-use crate::engine::Engine;
 use crate::engine::compiled::{self, Compiled, SharedCode, Slot};
 use crate::engine::lockstep::Lockstep;
 use crate::engine::program::{Program, Triggers, ValueId};
+use crate::engine::{Beginning, Engine};
 use crate::engine::{interpreter, reference};
 
 /// The engine that executes a circuit. All engines give the same results.
@@ -60,8 +60,8 @@ pub(crate) struct Started {
     chosen: EngineKind,
     /// Why no code can be generated, if it cannot.
     refused: Option<String>,
-    /// The seed of each run.
-    pub seeds: Vec<u64>,
+    /// What it begins with.
+    pub beginning: Beginning,
     /// What simulations of the circuit share.
     code: Arc<SharedCode>,
     /// The engine, if it is the compiled one. It is stored apart from the others because a testbench calls it in
@@ -73,27 +73,27 @@ pub(crate) struct Started {
 
 impl Started {
     /// The circuit at its start on this engine, or on the interpreter if no code can be generated.
-    pub fn new(program: Arc<Program>, chosen: EngineKind, seeds: Vec<u64>) -> Started {
+    pub fn new(program: Arc<Program>, chosen: EngineKind, beginning: Beginning) -> Started {
         let refused = EngineKind::Compiled.refused();
         let code = Arc::default();
-        Started { program, chosen, refused, seeds, code, compiled: OnceCell::new(), other: OnceCell::new() }
+        Started { program, chosen, refused, beginning, code, compiled: OnceCell::new(), other: OnceCell::new() }
     }
 
-    /// The circuit at its start, with another engine or other seeds.
-    pub fn again(&self, chosen: EngineKind, seeds: Vec<u64>) -> Started {
+    /// The circuit at its start, with another engine or another beginning.
+    pub fn again(&self, chosen: EngineKind, beginning: Beginning) -> Started {
         let (program, refused, code) = (self.program.clone(), self.refused.clone(), self.code.clone());
-        Started { program, chosen, refused, seeds, code, compiled: OnceCell::new(), other: OnceCell::new() }
+        Started { program, chosen, refused, beginning, code, compiled: OnceCell::new(), other: OnceCell::new() }
     }
 
     /// The circuit at its start, beside this one.
     pub fn another(&self) -> Started {
         self.code.share();
-        self.again(self.chosen, self.seeds.clone())
+        self.again(self.chosen, self.beginning.clone())
     }
 
     /// Acts as on a machine for which no code can be generated, for the given reason.
     pub fn refuse(&self, reason: &str) -> Started {
-        Started { refused: Some(reason.to_owned()), ..self.again(self.chosen, self.seeds.clone()) }
+        Started { refused: Some(reason.to_owned()), ..self.again(self.chosen, self.beginning.clone()) }
     }
 
     /// The requested engine.
@@ -151,15 +151,15 @@ impl Started {
     #[cold]
     fn begin(&self) {
         let program = || self.program.clone();
-        let reference = || reference::Engine::new(program(), &self.seeds);
-        let compiled = || Box::new(Compiled::new(program(), &self.seeds, &self.code).expect("it was asked before"));
+        let reference = || reference::Engine::new(program(), &self.beginning);
+        let compiled = || Box::new(Compiled::new(program(), &self.beginning, &self.code).expect("it was asked before"));
         let other: Box<dyn Engine> = match self.kind() {
             EngineKind::Compiled => {
                 self.compiled.get_or_init(compiled);
                 return;
             }
             EngineKind::Reference => Box::new(reference()),
-            EngineKind::Interpreter => Box::new(interpreter::Engine::new(program(), &self.seeds)),
+            EngineKind::Interpreter => Box::new(interpreter::Engine::new(program(), &self.beginning)),
             EngineKind::Both => Box::new(Lockstep::new(program(), reference(), compiled())),
         };
         self.other.get_or_init(|| other);

@@ -215,6 +215,7 @@ mod tests {
     use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate};
 
     use super::*;
+    use crate::engine::Beginning;
     use crate::engine::program::compile;
     use crate::engine::reference;
     use crate::{Error, Simulation};
@@ -247,7 +248,7 @@ mod tests {
     /// Two engines side by side, the second with a different input.
     fn apart(x: u64, other: u64) -> Lockstep {
         let program = Arc::new(compile(&elaborate(&Follow).unwrap(), &crate::Passes::default()));
-        let engine = || reference::Engine::new(program.clone(), &[0]);
+        let engine = || reference::Engine::new(program.clone(), &Beginning::of(vec![0]));
         let mut lockstep = Lockstep::new(program.clone(), engine(), Box::new(engine()));
         lockstep.write(program.inputs[0].value, &[5], program.inputs[0].triggers);
         lockstep.edges(&[0], 3).unwrap();

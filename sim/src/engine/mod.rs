@@ -27,6 +27,7 @@ pub use compiled::Unsupported;
 pub use explain::{Explained, Pass, explain};
 pub use passes::Passes;
 use program::{Program, Triggers, ValueId};
+pub(crate) use start::{Beginning, Given};
 use until::Until;
 
 /// An assertion that fails.

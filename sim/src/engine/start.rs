@@ -8,6 +8,30 @@ use tilewright_hdl::{Bits, limbs_for, top_mask};
 use crate::engine::program::hierarchy::Role;
 use crate::engine::program::{Memory, Program, Register, ValueId};
 
+/// What a circuit begins with where that is neither a reset value, nor contents, nor zero.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Beginning {
+    /// The seed of each run; 0 means zeros.
+    pub seeds: Vec<u64>,
+    /// Values of registers and read data, in place of those of a seed.
+    pub given: Vec<Given>,
+}
+
+impl Beginning {
+    /// Of runs with these seeds.
+    pub fn of(seeds: Vec<u64>) -> Beginning {
+        Beginning { seeds, given: Vec::new() }
+    }
+}
+
+/// The value of a lane of a register, or of read data.
+#[derive(Debug, Clone)]
+pub(crate) struct Given {
+    pub value: ValueId,
+    pub lane: u32,
+    pub word: Bits,
+}
+
 /// State that is zero at first; only other values are set.
 pub(crate) trait State {
     /// Sets the value of these lanes of a register, or of read data.
@@ -18,8 +42,8 @@ pub(crate) trait State {
 }
 
 /// Sets registers to their values at power-on or after a reset, and memories to their contents. Everything else comes
-/// from the seed of its run, or is zero if the seed is 0.
-pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
+/// from the seed of its run, or is zero if the seed is 0; values that are given replace all others.
+pub(crate) fn start(program: &Program, Beginning { seeds, given }: &Beginning, state: &mut impl State) {
     for (index, memory) in (0..).zip(&program.memories) {
         fill_memory(index, memory, state);
     }
@@ -37,6 +61,9 @@ pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
             Some(value) => state.set(register.value, 0..lanes, value.limbs()),
             None => reset(program, register, state),
         }
+    }
+    for Given { value, lane, word } in given {
+        state.set(*value, *lane..lane + 1, word.limbs());
     }
 }
 

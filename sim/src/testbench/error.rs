@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use tilewright_hdl::{Loc, Problems};
 
 use crate::engine::Difference;
+use crate::testbench::replay::Unrepeated;
 
 /// Why a simulation could not be made or could not continue.
 ///
@@ -40,6 +41,9 @@ pub enum Error {
     /// There is no such name.
     #[error("{0}")]
     Unknown(#[from] UnknownName),
+    /// A recording cannot be repeated.
+    #[error(transparent)]
+    Unrepeated(#[from] Unrepeated),
     /// The time of the next edge does not fit in 64 bits.
     #[error("the simulation is at its end: the next edge would be later than 2^64 ps, which is 213 days")]
     Late,

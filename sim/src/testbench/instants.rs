@@ -11,7 +11,7 @@ use crate::testbench::trace::View;
 
 impl Running {
     /// Sets whether a clock's reset is active; without effect on a clock that has none.
-    fn set_reset(&mut self, clock: usize, active: bool) {
+    pub fn set_reset(&mut self, clock: usize, active: bool) {
         if self.resets[clock] == active || self.program.clocks[clock].kind == Reset::PowerOn {
             return;
         }

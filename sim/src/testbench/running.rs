@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use tilewright_hdl::{Bits, Design, limbs_for, top_mask};
 
 use crate::engine::program::{self, Program, Triggers, ValueId};
-use crate::engine::{EngineKind, Passes, Slot, Started, lane};
+use crate::engine::{Beginning, EngineKind, Passes, Slot, Started, lane};
 use crate::testbench::error::UnknownName;
 use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::timeline::Timeline;
@@ -59,7 +59,7 @@ impl Running {
     /// `runs` runs of a design.
     pub fn new(design: &Design, runs: u32, passes: &Passes) -> Running {
         let program = Arc::new(program::compile_lanes(design, runs, passes));
-        let engine = Started::new(program.clone(), EngineKind::default(), vec![0; runs as usize]);
+        let engine = Started::new(program.clone(), EngineKind::default(), Beginning::of(vec![0; runs as usize]));
         Running::started(program, engine)
     }
 
@@ -107,14 +107,14 @@ impl Running {
     pub fn seed(&mut self, seeds: Vec<u64>) {
         assert!(self.timeline.time() == 0, "a seed can only be given before the first step");
         assert!(self.observers.is_empty(), "give the seed before attaching a trace");
-        self.restart(self.engine.again(self.engine.chosen(), seeds));
+        self.restart(self.engine.again(self.engine.chosen(), Beginning::of(seeds)));
     }
 
     #[track_caller]
     pub fn put_on(&mut self, kind: EngineKind) {
         assert!(self.timeline.time() == 0, "an engine can only be chosen before the first step");
         assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
-        self.restart(self.engine.again(kind, self.engine.seeds.clone()));
+        self.restart(self.engine.again(kind, self.engine.beginning.clone()));
     }
 
     pub fn restart(&mut self, engine: Started) {

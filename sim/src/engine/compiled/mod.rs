@@ -51,7 +51,7 @@ use crate::engine::fields::{self, Fields, Parts};
 use crate::engine::pack::{self, Packed, Places};
 use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::until::Until;
-use crate::engine::{Difference, Done, Engine, Failed, Ticks, one_by_one, renew_each};
+use crate::engine::{Beginning, Difference, Done, Engine, Failed, Ticks, one_by_one, renew_each};
 use bank::Bank;
 use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
@@ -176,7 +176,7 @@ impl Compiled {
     /// # Errors
     ///
     /// Code cannot be generated for this machine.
-    pub fn new(program: Arc<Program>, seeds: &[u64], code: &Arc<SharedCode>) -> Result<Compiled, Unsupported> {
+    pub fn new(program: Arc<Program>, beginning: &Beginning, code: &Arc<SharedCode>) -> Result<Compiled, Unsupported> {
         let jit = Jit::new()?.sharing(code.clone());
         let (declared, Fields { program, parts }) = (&program, fields::split(&program));
         let Packed { program, places: bits } = pack::pack(program);
@@ -244,7 +244,7 @@ impl Compiled {
             bits,
         };
         engine.tell_memories();
-        crate::engine::start::start(declared, seeds, &mut engine);
+        crate::engine::start::start(declared, beginning, &mut engine);
         Ok(engine)
     }
 

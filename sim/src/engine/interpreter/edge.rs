@@ -234,6 +234,7 @@ mod tests {
     use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate};
 
     use super::*;
+    use crate::engine::Beginning;
     use crate::engine::program::compile;
 
     bundle! {
@@ -263,7 +264,7 @@ mod tests {
     #[test]
     fn a_clock_rests_until_something_changes() {
         let program = Arc::new(compile(&elaborate(&Toggle).unwrap(), &crate::Passes::default()));
-        let mut engine = Engine::new(program.clone(), &[0]);
+        let mut engine = Engine::new(program.clone(), &Beginning::of(vec![0]));
         let (x, y) = (&program.inputs[0], program.outputs[0].value);
         engine.edge(&[0]);
         assert!(engine.idle[0], "nothing changed");

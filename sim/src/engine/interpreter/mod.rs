@@ -14,7 +14,7 @@ use tilewright_hdl::limbs_for;
 
 use crate::engine::program::{Cell, Kind, Memory, Program, Readers, Triggers, ValueId};
 use crate::engine::semantics::{self, Number};
-use crate::engine::start::{self, State};
+use crate::engine::start::{self, Beginning, State};
 use crate::engine::{self, Difference, Done, Failed};
 
 /// The state of a running circuit.
@@ -39,7 +39,7 @@ pub(crate) struct Engine {
 impl Engine {
     /// The circuit after a reset. State without a reset value starts from the seed of its run, or from zeros if the
     /// seed is 0.
-    pub fn new(program: Arc<Program>, seeds: &[u64]) -> Engine {
+    pub fn new(program: Arc<Program>, beginning: &Beginning) -> Engine {
         let mut limbs = vec![0; program.schedule.storage];
         for (id, cell) in program.circuit.cells() {
             if let Kind::Const(bits) = &cell.kind {
@@ -57,7 +57,7 @@ impl Engine {
             plan: edge::Plan::new(&program),
             program,
         };
-        start::start(&engine.program.clone(), seeds, &mut engine);
+        start::start(&engine.program.clone(), beginning, &mut engine);
         engine
     }
 

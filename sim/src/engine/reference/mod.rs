@@ -11,7 +11,7 @@ use tilewright_hdl::limbs_for;
 
 use crate::engine::program::{Kind, Memory, Program, Triggers, ValueId};
 use crate::engine::semantics::{self, Number};
-use crate::engine::start::{self, State};
+use crate::engine::start::{self, Beginning, State};
 use crate::engine::{self, Difference, Done, Failed, Word};
 
 /// The state of a running circuit.
@@ -33,7 +33,7 @@ pub(crate) struct Engine {
 impl Engine {
     /// The circuit after a reset. State without a reset value starts from the seed of its run, or from zeros if the
     /// seed is 0.
-    pub fn new(program: Arc<Program>, seeds: &[u64]) -> Engine {
+    pub fn new(program: Arc<Program>, beginning: &Beginning) -> Engine {
         let zeros = |count: usize, width: u32| vec![0; count * limbs_for(width)];
         let mut engine = Engine {
             values: program.circuit.cells().map(|(_, cell)| zeros(cell.lanes as usize, cell.width)).collect(),
@@ -47,7 +47,7 @@ impl Engine {
             written: Vec::new(),
             program: program.clone(),
         };
-        start::start(&program, seeds, &mut engine);
+        start::start(&program, beginning, &mut engine);
         engine
     }
 

@@ -33,15 +33,16 @@ impl Poked {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Start {
     poked: Poked,
-    /// The registers and read data that a seed has filled; `None` without a seed.
+    /// The registers and read data that do not start at zero, because of a seed or a recording; `None` if they do.
     filled: Option<Vec<Initial>>,
 }
 
 impl Start {
     /// The start of a run of this circuit, before its first step. Words may still be poked.
     pub fn of(circuit: &mut Running, run: u32) -> Start {
-        let is_seeded = circuit.engine.seeds[run as usize] != 0;
-        Start { poked: circuit.poked.clone(), filled: is_seeded.then(|| filled(circuit, run)) }
+        let beginning = &circuit.engine.beginning;
+        let is_other = beginning.seeds[run as usize] != 0 || !beginning.given.is_empty();
+        Start { poked: circuit.poked.clone(), filled: is_other.then(|| filled(circuit, run)) }
     }
 
     /// All of it, just before the first step. Words at consecutive addresses are joined.
