@@ -36,7 +36,7 @@ pub mod for_examples;
 pub mod tools;
 mod verilog;
 
-pub use bench::testbench;
+pub use bench::{Net, nets, testbench};
 pub use constraints::{Dialect, PinProblem, PinProblems, Pins, constraints};
 pub use diagram::{
     Around, Arrow, ArrowKind, BoxKind, Diagram, DiagramBox, DiagramError, DiagramOptions, Frame, diagram,

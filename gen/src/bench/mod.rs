@@ -11,6 +11,8 @@ mod start;
 mod table;
 mod text;
 
+pub use start::{Net, nets};
+
 use crate::VerilogFile;
 use crate::verilog::{Names, packed_width};
 use tilewright_hdl::ir::Design;

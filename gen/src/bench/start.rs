@@ -157,10 +157,10 @@ impl<'a> Start<'a> {
         let mut in_lanes = scopes.flat_map(|scope| scope.own.iter().map(move |state| (scope, state)));
         if let Some((scope, state)) = in_lanes.find(|(_, state)| state.is(base)) {
             let path = format!("{path}.{}", scope.path(&indices(name)));
-            return Some(Found { state, path, part: String::new(), initial });
+            return Some(Found { state, path, low: None, initial });
         }
         if let Some(state) = state.own.iter().find(|state| state.is(base)) {
-            return Some(Found { state, path, part: self.part(module, base, lane, initial), initial });
+            return Some(Found { state, path, low: self.low(module, base, lane, initial), initial });
         }
         match self.shape(module, base) {
             Some(_) => None,
@@ -168,15 +168,14 @@ impl<'a> Start<'a> {
         }
     }
 
-    /// The part of a word that a lane is, if the lanes stand side by side in one word.
-    fn part(&self, module: ModuleId, base: &str, lane: &str, initial: &Initial) -> String {
-        let Some(shape) = self.shape(module, base).filter(|_| !lane.is_empty()) else { return String::new() };
+    /// The lowest bit of a lane, if the lanes stand side by side in one word.
+    fn low(&self, module: ModuleId, base: &str, lane: &str, initial: &Initial) -> Option<u32> {
+        let shape = self.shape(module, base).filter(|_| !lane.is_empty())?;
         let mut number = 0;
         for (axis, index) in (0..).zip(indices(lane)) {
             number = number * shape.extent(axis) + index.parse::<u32>().unwrap_or_else(|_| no_state(&initial.path));
         }
-        let width = initial.words[0].width();
-        format!("[{} +: {width}]", number * width)
+        Some(number * initial.words[0].width())
     }
 
     /// The shape of a register, of read data, or of a memory of the design.
@@ -284,15 +283,30 @@ struct Found<'s, 'r> {
     state: &'s State,
     /// The path of its scope.
     path: String,
-    /// The part of it that has the value; nothing for all of it.
-    part: String,
+    /// The lowest bit of the part of it that has the value; `None` for all of it.
+    low: Option<u32>,
     initial: &'r Initial,
 }
 
 impl Found<'_, '_> {
+    /// The nets with the words.
+    fn nets(&self) -> Vec<Net> {
+        let Found { path, low, initial, .. } = self;
+        let path = path.trim_start_matches('.');
+        let dot = if path.is_empty() { "" } else { "." };
+        let net = |name: String| Net { name: format!("{path}{dot}{name}"), low: low.unwrap_or(0) };
+        match self.state {
+            State::Register { name, .. } | State::GatedRead { name, .. } => vec![net(name.clone())],
+            State::Memory { name, .. } => {
+                (initial.address..).zip(&initial.words).map(|(address, _)| net(format!("{name}[{address}]"))).collect()
+            }
+        }
+    }
+
     /// The assignments, where its scope has this path.
     fn assigned(&self, path: &str) -> Vec<String> {
-        let Found { part, initial, .. } = self;
+        let Found { initial, .. } = self;
+        let part = self.low.map(|low| format!("[{low} +: {}]", initial.words[0].width())).unwrap_or_default();
         let value = || {
             let count = initial.words.len();
             assert!(count == 1, "`{}` is one value, the recording gives {count}", initial.path);
@@ -309,6 +323,44 @@ impl Found<'_, '_> {
             }
         }
     }
+}
+
+/// A net of the printed Verilog that has a value of a recording's start.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let start = recording::Initial { path: "held".to_owned(), address: 0, words: vec![Bits::new(8, 7)] };
+/// let nets = tilewright_gen::nets(&design, &[start]);
+/// assert_eq!(nets[0], [tilewright_gen::Net { name: "held".to_owned(), low: 0 }]);
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Net {
+    /// Its path below the top module, such as `u_row.u_cell[3].lane.q`; a word of a memory has its address in brackets.
+    pub name: String,
+    /// The lowest bit of the value in the net.
+    pub low: u32,
+}
+
+/// For each value of a recording's start, the nets with its words. There are none if nothing reads it, so that it is
+/// not printed.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// assert!(tilewright_gen::nets(&design, &[]).is_empty());
+/// ```
+///
+/// # Panics
+///
+/// A value belongs to nothing in the design.
+pub fn nets(design: &Design, initial: &[Initial]) -> Vec<Vec<Net>> {
+    let start = Start::new(design, "", &Recording::default(), &mut Names::default());
+    let nets = |initial: &Initial| match start.found(initial) {
+        None => Vec::new(),
+        Some(found) => found.nets(),
+    };
+    initial.iter().map(nets).collect()
 }
 
 fn no_state(path: &str) -> ! {
