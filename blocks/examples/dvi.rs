@@ -41,23 +41,15 @@ block! {
         .makes(SERIAL, "CLKOP")
         .capitals();
     in PllIn {
-        /// Resets the PLL.
         rst: bit(),
-        /// Lets it sleep.
         stdby: bit(),
-        /// The phase can be moved while the PLL runs, which this one does not do: bit 0 of the output's number.
+        /// The phase can be moved while the PLL runs, which this one does not do.
         phasesel0: bit(),
-        /// Bit 1 of the output's number.
         phasesel1: bit(),
-        /// Whether the phase is delayed.
         phasedir: bit(),
-        /// Moves the phase by a step.
         phasestep: bit(),
-        /// Loads the phase.
         phaseloadreg: bit(),
-        /// Wakes it.
         pllwakesync: bit(),
-        /// Enables the output, which is always enabled unless a parameter says otherwise.
         enclkop: bit(),
     }
     out PllOut {
@@ -100,18 +92,8 @@ block! {
     /// The model shows the first bit in its output, and the second one in its register `second`.
     struct DoubleRate;
     foreign = Foreign::module("ODDRX1F").clock_of(SERIAL, "SCLK").capitals();
-    in DoubleRateIn {
-        /// Resets the pin.
-        rst: bit(),
-        /// The first bit.
-        d0: bit(),
-        /// The second bit.
-        d1: bit(),
-    }
-    out DoubleRateOut {
-        /// What the pin sends.
-        q: bit(),
-    }
+    in DoubleRateIn { rst: bit(), d0: bit(), d1: bit() }
+    out DoubleRateOut { q: bit() }
 }
 
 impl DoubleRate {
@@ -125,37 +107,14 @@ impl DoubleRate {
 
 record! {
     /// A colour, or the symbols of one.
-<<<<<<< ours
-    pub struct Colour(width: u32) {
-        /// How red it is.
-        red: bits(width),
-        /// How green it is.
-        green: bits(width),
-        /// How blue it is.
-        blue: bits(width),
-    }
-=======
     struct Colour(width: u32) { red: bits(width), green: bits(width), blue: bits(width) }
->>>>>>> theirs
 }
 
 block! {
     /// A chessboard. Its white squares are windows to bars that move to the left by a pixel a frame, and its black ones
     /// are shades.
-<<<<<<< ours
-    pub struct TestPicture;
-    in TestPictureIn {
-        /// The column of the pixel.
-        x: bits(10),
-        /// Its line.
-        y: bits(10),
-        /// The number of the frame.
-        frame: bits(8),
-    }
-=======
     struct TestPicture;
     in TestPictureIn { x: bits(10), y: bits(10), frame: bits(8) }
->>>>>>> theirs
     out(self) = Colour::widths(8);
 }
 
@@ -171,16 +130,8 @@ impl TestPicture {
 
 block! {
     /// The picture as symbols, one for each pixel and colour.
-<<<<<<< ours
-    pub struct Symbols { timing: VideoTiming }
-    in SymbolsIn {
-        /// High from where frames are sent.
-        runs: bit(),
-    }
-=======
     struct Symbols { timing: VideoTiming }
     in SymbolsIn { runs: bit() }
->>>>>>> theirs
     out(self) = Colour::widths(10);
 }
 
@@ -234,11 +185,7 @@ block! {
 }
 
 impl Dvi {
-<<<<<<< ours
-    /// The chip for a screen of 640 by 480 pixels.
-=======
     /// 640 x 480 pixels.
->>>>>>> theirs
     pub const VGA: Dvi = Dvi { timing: VideoTiming::VGA };
 
     /// The chip with another timing, for tests.

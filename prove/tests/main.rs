@@ -1,0 +1,5 @@
+//! Proofs and counterexamples.
+
+mod agreement;
+mod counterexamples;
+mod harness;
