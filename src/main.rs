@@ -17,6 +17,7 @@ mod new;
 mod number;
 mod pictures;
 mod player;
+mod prove;
 mod render;
 mod reproduce;
 mod save_file;
@@ -51,6 +52,7 @@ Exit codes:
   2    bad usage or bad input
   3    an output cannot be written
   4    an external program is not installed, or fails
+  5    a statement is neither proved nor refuted
   70   a mistake in tilewright itself
   71   out of memory
   129  as 130, because the terminal closed (SIGHUP)
@@ -71,6 +73,7 @@ enum Command {
     Golden(golden::Golden),
     Wave(wave::Wave),
     Verilog(verilog::Verilog),
+    Prove(prove::Prove),
     Diagram(diagram::Diagram),
     Synth(synth::Synth),
     Reproduce(reproduce::Reproduce),
@@ -90,6 +93,7 @@ impl Command {
             Command::Golden(it) => it.run(),
             Command::Wave(it) => it.run(),
             Command::Verilog(it) => it.run(),
+            Command::Prove(it) => it.run(),
             Command::Diagram(it) => it.run(),
             Command::Synth(it) => it.run(),
             Command::Reproduce(it) => it.run(),

@@ -19,6 +19,8 @@ pub enum Exit {
     NoOutput = 3,
     /// Another program is not installed, or fails.
     NoTool = 4,
+    /// A statement is neither proved nor refuted.
+    Undecided = 5,
     /// A mistake in this program.
     Crash = 70,
     /// The system has no more memory, or the stack is full.
@@ -137,6 +139,19 @@ impl From<tilewright_benches::Error> for Failure {
             Missing(_) | Tool(_) | Unreadable { .. } => Exit::NoTool,
             Differs { .. } => Exit::CheckFailed,
             Interrupted { .. } => interrupt::exit(),
+        };
+        Failure::new(exit, error.to_string())
+    }
+}
+
+impl From<tilewright_prove::Error> for Failure {
+    fn from(error: tilewright_prove::Error) -> Failure {
+        use tilewright_prove::Error::*;
+        let exit = match error {
+            Missing(_) | Tool { .. } => Exit::NoTool,
+            Refused(_) => Exit::BadInput,
+            Interrupted => interrupt::exit(),
+            Unshown(_) => Exit::CheckFailed,
         };
         Failure::new(exit, error.to_string())
     }

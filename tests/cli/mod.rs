@@ -21,6 +21,7 @@ mod pictures;
 mod pixel_planes;
 mod pixelflow;
 mod places;
+mod prove;
 mod quadtree;
 mod render;
 mod reproduce;

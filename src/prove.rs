@@ -1,0 +1,274 @@
+//! `tilewright prove`: what a block states is proved, or a run shows that it does not hold.
+
+use crate::block::{BlockArguments, design};
+use crate::shell::output::Waveform;
+use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
+use clap::Args;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::time::Duration;
+use tilewright_hdl::Design;
+use tilewright_hdl::catalog::{Entry, Values};
+use tilewright_hdl::ir::Directive;
+use tilewright_prove::{Outcome, Proof, Prover, Run, Statement};
+use tilewright_sim::{Probe, Simulation};
+
+/// Proves a block's assertions, and searches runs that reach its covers
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright prove fifo
+  tilewright prove fifo --set depth=5 --depth 30
+  tilewright prove lifo --json
+  tilewright prove round-robin-arbiter --show 2 --ascii -o run.vcd
+
+Yosys makes formulas of the block's Verilog, and Z3 decides them. An assertion is proved by induction over k clocks, fails in a clock, or holds for as
+many clocks as were searched. Clock 0 is the first one. Where induction does not suffice, ABC, which comes with Yosys, searches an invariant. A cover is reached in a clock, or never.
+
+Inputs and the reset have any value that the block's assumptions allow. So has what starts without a value: registers without a reset, and memories
+of unknown contents. A larger --depth searches longer runs, and may prove more.
+
+--ascii and -o show a run: of the statement that --show names by its number, or else of the first assertion that fails. The simulator has replayed it.
+
+Exit code 1 means that an assertion fails, or that a cover is never reached; 5 that a statement is not settled.")]
+pub struct Prove {
+    #[command(flatten)]
+    block: BlockArguments,
+    /// The number of clocks to search, and to prove over
+    #[arg(long, value_name = "CLOCKS", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    depth: u32,
+    /// End the search after this number of seconds [default: no limit]
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    seconds: Option<u64>,
+    /// Show the run of the statement with this number [default: the first assertion that fails]
+    #[arg(long, value_name = "NUMBER")]
+    show: Option<usize>,
+    /// Print the waves of the ports in the shown run as text
+    #[arg(long, conflicts_with = "json")]
+    ascii: bool,
+    /// Write the waveform of the shown run, a VCD file; `-` is standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Print the results as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Prove {
+    /// Proves, prints what was found, and shows a run.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let (entry, values) = self.block.find()?;
+        let design = design(entry, &values)?;
+        let waveform = self.output.as_deref().map(Waveform::at).transpose()?;
+        let proof = self.prove(&design)?;
+        let shown = self.shown(&proof)?;
+        if self.json {
+            terminal::print_json(&report(entry, &values, &design, &proof))?;
+        } else {
+            terminal::print(&table(&proof))?;
+        }
+        match shown {
+            Some(run) => self.show_run(&design, run, waveform)?,
+            None if self.ascii || waveform.is_some() => {
+                terminal::warn("no assertion fails, so there is no run to show: name a statement with --show NUMBER");
+            }
+            None => {}
+        }
+        Ok(exit(&proof))
+    }
+
+    fn prove(&self, design: &Design) -> Result<Proof, Failure> {
+        let prover = Prover::new().depth(self.depth);
+        let prover = self.seconds.map_or(prover, |seconds| prover.seconds(seconds));
+        // The flag is raised instead of the program being ended, so that the solver is ended, too.
+        interrupt::flag();
+        let progress = Progress::new();
+        Ok(prover.prove_watched(design, &|done| progress.show("proving", done), &interrupt::asked)?)
+    }
+
+    /// The run to show.
+    fn shown<'a>(&self, proof: &'a Proof) -> Result<Option<&'a Run>, Failure> {
+        let run = |statement: &'a Statement| match &statement.outcome {
+            Outcome::Fails(run) => Some(run),
+            _ => None,
+        };
+        let Some(number) = self.show else {
+            return Ok(proof.statements.iter().filter(|it| it.directive == Directive::Assert).find_map(run));
+        };
+        let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
+        let count = proof.statements.len();
+        match number.checked_sub(1).and_then(|index| proof.statements.get(index)) {
+            None => bad(format!("there is no statement {number}: --show takes a number from 1 to {count}")),
+            Some(statement) => match run(statement) {
+                None => bad(format!("statement {number} has no run: choose one that fails or is reached")),
+                run => Ok(run),
+            },
+        }
+    }
+
+    /// Replays a run and shows its waves.
+    fn show_run(&self, design: &Design, run: &Run, waveform: Option<Waveform>) -> Result<(), Failure> {
+        if !self.ascii && waveform.is_none() {
+            return Ok(());
+        }
+        let sim = Simulation::from_design(design)?.starting_as(&run.recording);
+        let mut sim = sim.map_err(tilewright_sim::Error::from)?;
+        let text = self.ascii.then(|| sim.record(ports(&sim)));
+        if let Some(waveform) = &waveform {
+            let vcd = waveform.vcd()?;
+            waveform.clear()?;
+            sim.trace(vcd)?;
+        }
+        // It ends where the assertion fails.
+        match sim.replay(&run.recording) {
+            Ok(()) | Err(tilewright_sim::Error::Violated(_)) => sim.finish()?,
+            Err(error) => return Err(error.into()),
+        }
+        if let Some(waveform) = waveform {
+            waveform.tell_written();
+        }
+        text.map_or(Ok(()), |text| terminal::print(&format!("\n{text}")))
+    }
+}
+
+/// The ports, those with lanes lane by lane.
+fn ports(sim: &Simulation) -> Vec<Probe> {
+    let program = sim.program();
+    let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
+    let ports = program.inputs.iter().chain(&program.outputs);
+    ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect()
+}
+
+/// The exit code: a statement that fails counts more than one that is not settled.
+fn exit(proof: &Proof) -> Exit {
+    match &proof.statements {
+        all if all.iter().any(Statement::fails) => Exit::CheckFailed,
+        all if all.iter().any(|it| !it.outcome.is_settled()) => Exit::Undecided,
+        _ => Exit::Done,
+    }
+}
+
+/// A line for each statement, and how many there are of each kind.
+fn table(proof: &Proof) -> String {
+    let rows: Vec<[String; 5]> = (1..).zip(&proof.statements).map(|(number, it)| row(number, it)).collect();
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let [number, kind, result, message] = [0, 1, 2, 3].map(width);
+    let mut text = String::new();
+    for [a, b, c, d, place] in &rows {
+        text += &format!("{a:>number$}  {b:kind$}  {c:result$}  {d:message$}  {place}\n");
+    }
+    if let Some(clocks) = proof.ends_after {
+        text += &format!("the assumptions allow no run of more than {clocks} clocks: nothing later is searched\n");
+    }
+    text
+}
+
+fn row(number: usize, statement: &Statement) -> [String; 5] {
+    let Statement { directive, message, loc, .. } = statement;
+    let kind = if *directive == Directive::Cover { "cover" } else { "assert" };
+    let place = format!("{}:{}", loc.file(), loc.line());
+    [number.to_string(), kind.to_owned(), result(statement), message.replace('\n', " "), place]
+}
+
+/// The result of a statement in words.
+fn result(statement: &Statement) -> String {
+    let is_cover = statement.directive == Directive::Cover;
+    match &statement.outcome {
+        Outcome::Proved { .. } if is_cover => "never reached".to_owned(),
+        Outcome::Proved { depth: Some(depth) } => format!("proved, k = {depth}"),
+        Outcome::Proved { depth: None } => "proved, invariant".to_owned(),
+        Outcome::Fails(run) if is_cover => format!("reached in clock {}", run.clock),
+        Outcome::Fails(run) => format!("fails in clock {}", run.clock),
+        Outcome::Holds { clocks } if is_cover => format!("not reached in {clocks} clocks"),
+        Outcome::Holds { clocks } => format!("holds for {clocks} clocks"),
+    }
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    format: u32,
+    block: &'a str,
+    parameters: BTreeMap<&'a str, u64>,
+    /// After so many clocks the assumptions allow no further one.
+    ends_after: Option<u32>,
+    statements: Vec<Row<'a>>,
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    statement: &'static str,
+    message: &'a str,
+    module: &'a str,
+    place: String,
+    /// `proved`, `never`, `fails`, `reached` or `open`.
+    result: &'static str,
+    /// The clocks of the induction, or those that were searched; none where an invariant was found.
+    depth: Option<u32>,
+    /// The seconds until this was found.
+    seconds: f64,
+    run: Option<RunReport<'a>>,
+}
+
+/// The run at whose end an assertion fails, or a cover is reached.
+#[derive(Serialize)]
+struct RunReport<'a> {
+    /// The clock, from 0.
+    clock: u32,
+    instance: &'a str,
+    /// What starts with a value of its own: the words of each, in hexadecimal.
+    initial: BTreeMap<&'a str, Vec<String>>,
+    /// In each clock, whether the reset is active.
+    reset: Vec<bool>,
+    /// In each clock, the value in hexadecimal, by port.
+    inputs: BTreeMap<&'a str, Vec<String>>,
+}
+
+fn report<'a>(entry: &'a Entry, values: &Values, design: &'a Design, proof: &'a Proof) -> Report<'a> {
+    Report {
+        format: 1,
+        block: entry.name,
+        parameters: values.iter().collect(),
+        ends_after: proof.ends_after,
+        statements: proof.statements.iter().map(|it| row_report(design, it)).collect(),
+    }
+}
+
+fn row_report<'a>(design: &'a Design, it: &'a Statement) -> Row<'a> {
+    let is_cover = it.directive == Directive::Cover;
+    let (result, depth, run) = match &it.outcome {
+        Outcome::Proved { depth } => (if is_cover { "never" } else { "proved" }, *depth, None),
+        Outcome::Fails(run) => (if is_cover { "reached" } else { "fails" }, None, Some(run_report(design, run))),
+        Outcome::Holds { clocks } => ("open", Some(*clocks), None),
+    };
+    Row {
+        statement: if is_cover { "cover" } else { "assert" },
+        message: &it.message,
+        module: &it.module,
+        place: format!("{}:{}", it.loc.file(), it.loc.line()),
+        result,
+        depth,
+        seconds: seconds(it.time),
+        run,
+    }
+}
+
+fn run_report<'a>(design: &'a Design, run: &'a Run) -> RunReport<'a> {
+    let steps = &run.recording.steps;
+    let input = |(index, port): (usize, &'a tilewright_hdl::ir::Input)| {
+        (port.name.as_str(), steps.iter().map(|step| format!("{:x}", step.inputs[index])).collect())
+    };
+    let words = |words: &[tilewright_hdl::Bits]| words.iter().map(|word| format!("{word:x}")).collect();
+    RunReport {
+        clock: run.clock,
+        instance: &run.instance,
+        initial: run.recording.initial.iter().map(|it| (it.path.as_str(), words(&it.words))).collect(),
+        reset: steps.iter().map(|step| !step.resets.is_empty()).collect(),
+        inputs: design.top().inputs.iter().enumerate().map(input).collect(),
+    }
+}
+
+/// Seconds with three decimals.
+fn seconds(time: Duration) -> f64 {
+    (time.as_secs_f64() * 1000.0).round() / 1000.0
+}

@@ -1,0 +1,63 @@
+//! `prove`.
+
+use crate::cli::harness::Folder;
+use tilewright_gen::tools::skipped_without;
+
+fn lacks_tools() -> bool {
+    skipped_without(&["yosys", "z3"]).is_some()
+}
+
+#[test]
+fn a_block_is_proved_and_a_run_reaches_its_covers() {
+    if lacks_tools() {
+        return;
+    }
+    let folder = Folder::new();
+    let table = folder.stdout("prove fifo");
+    for part in ["1  assert  proved, k = 0", "3  cover   reached in clock 3", "blocks/src/fifo.rs:"] {
+        assert!(table.contains(part), "{part}\n{table}");
+    }
+    let report = folder.json("prove fifo --json");
+    let run = &report["statements"][2]["run"];
+    assert_eq!((&report["statements"][1]["result"], &run["clock"]), (&"proved".into(), &3.into()), "{report}");
+    assert_eq!(run["inputs"]["into_valid"].as_array().unwrap().len(), 4, "{report}");
+}
+
+#[test]
+fn a_run_is_shown_as_text_and_as_a_waveform() {
+    if lacks_tools() {
+        return;
+    }
+    let folder = Folder::new();
+    let text = folder.stdout("prove fifo --show 3 --ascii -o run.vcd");
+    assert!(text.contains("into_valid") && text.contains("clk"), "{text}");
+    assert!(folder.read("run.vcd").contains("$enddefinitions"));
+    let wrong = folder.run("prove fifo --show 9");
+    assert_eq!((wrong.code, wrong.stderr.contains("from 1 to 4")), (Some(2), true), "{wrong:?}");
+}
+
+#[test]
+fn what_is_open_has_an_exit_code_of_its_own() {
+    if lacks_tools() {
+        return;
+    }
+    let run = Folder::new().run("prove fifo --depth 2");
+    assert!(run.code == Some(5) && run.stdout.contains("not reached in 2 clocks"), "{run:?}");
+}
+
+#[test]
+fn what_cannot_be_proved_is_refused_with_a_remedy() {
+    for (block, says) in [("counter", "states nothing to prove: add"), ("dual-clock-fifo", "has several clocks")] {
+        let run = Folder::new().run(&format!("prove {block}"));
+        assert!(run.code == Some(2) && run.stderr.contains(says), "{run:?}");
+    }
+}
+
+#[test]
+fn a_missing_program_is_named_with_its_remedy_and_nothing_is_written() {
+    let folder = Folder::new();
+    let run = folder.command("prove fifo -o run.vcd").env("PATH", folder.path("nowhere")).output().unwrap();
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.code() == Some(4) && said.contains("yosys is not installed: install it"), "{run:?}");
+    assert!(!folder.path("run.vcd").exists());
+}
