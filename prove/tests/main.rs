@@ -3,3 +3,4 @@
 mod agreement;
 mod counterexamples;
 mod harness;
+mod proofs;
