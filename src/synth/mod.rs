@@ -53,7 +53,7 @@ pub struct Synth {
     #[arg(long, conflicts_with_all = ["block", "output", "json", "freq"])]
     all: bool,
     /// Begin with this block and leave out those before it, to go on with a run that was interrupted
-    #[arg(long, value_name = "BLOCK", requires = "all", value_parser = blocks(), hide_possible_values = true)]
+    #[arg(long, value_name = "BLOCK", requires = "all", conflicts_with = "block", value_parser = blocks(), hide_possible_values = true)]
     from: Option<&'static Entry>,
     /// The FPGA
     #[arg(long, value_name = "DEVICE", default_value = "ecp5-85k", value_parser = names::of::<Device>("device"))]
