@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};
 use tilewright_hdl::recording::{Initial, Step};
-use tilewright_hdl::{Bits, Block, Recording, elaborate};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Recording, bit, block, def, elaborate, row};
 
 /// A value and its width.
 type Value = (u32, u64);
@@ -169,6 +169,29 @@ fn lanes_and_memories_start_from_what_the_recording_says() {
     };
     let steps = (0..).zip([(5, 3), (6, 0xff_ffff), (7, 0x123), (0, 0x456)]).map(cycle).collect();
     run(&LineBuffer, &Recording { steps, initial: vec![line, read] }).unwrap();
+}
+
+block! {
+    /// A memory with a row of one bit in each word, which is plain in Verilog.
+    struct Flags;
+    in FlagsIn { write: bit(), at: bit() }
+    out FlagsOut { flag: bit().of(row(1)) }
+}
+
+impl Flags {
+    fn build(&self, m: Module, i: FlagsIn) -> FlagsOut {
+        def!(flags = m.memory(2, bit().of(row(1)), ReadUnderWrite::Any));
+        flags.write(i.write, i.at, i.at.of(row(1)));
+        FlagsOut { flag: flags.read_async(i.at) }
+    }
+}
+
+#[test]
+fn a_single_lane_of_a_single_bit_starts_as_a_whole() {
+    let words = [1, 0].map(|word| Bits::new(1, word)).to_vec();
+    let initial = vec![Initial { path: "flags[0]".to_owned(), address: 0, words }];
+    let steps = [(0, 1), (1, 0)].map(|(at, flag)| step(at, false, &[(1, 0), (1, at)], &[(1, flag)])).to_vec();
+    run(&Flags, &Recording { steps, initial }).unwrap();
 }
 
 #[test]

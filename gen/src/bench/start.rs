@@ -168,9 +168,9 @@ impl<'a> Start<'a> {
         }
     }
 
-    /// The lowest bit of a lane, if the lanes stand side by side in one word.
+    /// The lowest bit of a lane, if several lanes stand side by side in one word. A word of one bit has no parts.
     fn low(&self, module: ModuleId, base: &str, lane: &str, initial: &Initial) -> Option<u32> {
-        let shape = self.shape(module, base).filter(|_| !lane.is_empty())?;
+        let shape = self.shape(module, base).filter(|shape| !lane.is_empty() && shape.lanes() > 1)?;
         let mut number = 0;
         for (axis, index) in (0..).zip(indices(lane)) {
             number = number * shape.extent(axis) + index.parse::<u32>().unwrap_or_else(|_| no_state(&initial.path));
