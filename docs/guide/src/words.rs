@@ -9,8 +9,8 @@ block! {
         pub depth: u32,
         /// It is read at once, not at the edge.
         pub at_once: bool,
-        /// What a read at the edge gives whose word is written: the old word, or anything.
-        pub old: bool,
+        /// What a read at the edge gives whose word is written.
+        pub policy: ReadUnderWrite,
         /// No address reaches beyond the last word.
         pub in_bounds: bool,
     }
@@ -32,8 +32,7 @@ block! {
 
 impl Words {
     fn build(&self, m: Module, i: WordsIn) -> WordsOut {
-        let policy = if self.old { ReadUnderWrite::Old } else { ReadUnderWrite::Any };
-        def!(words = m.memory(self.depth, 8, policy));
+        def!(words = m.memory(self.depth, 8, self.policy));
         let words = if self.in_bounds { words.in_bounds() } else { words };
         words.write(i.write, i.to, i.data);
         WordsOut { word: if self.at_once { words.read_async(i.from) } else { words.read(i.from) } }
@@ -41,18 +40,19 @@ impl Words {
 }
 
 /// A memory of each kind.
-pub const KINDS: [Words; 7] = [
+pub const KINDS: [Words; 8] = [
     Words { at_once: true, ..BLOCK_RAM },
     Words { depth: 64, at_once: true, ..BLOCK_RAM },
     BLOCK_RAM,
     Words { depth: 512, ..BLOCK_RAM },
-    Words { depth: 512, old: true, ..BLOCK_RAM },
+    Words { depth: 512, policy: ReadUnderWrite::Old, ..BLOCK_RAM },
+    Words { depth: 512, policy: ReadUnderWrite::New, ..BLOCK_RAM },
     Words { depth: 400, ..BLOCK_RAM },
     Words { depth: 400, in_bounds: true, ..BLOCK_RAM },
 ];
 
 /// The smallest memory that could be block RAM.
-const BLOCK_RAM: Words = Words { depth: 16, at_once: false, old: false, in_bounds: false };
+const BLOCK_RAM: Words = Words { depth: 16, at_once: false, policy: ReadUnderWrite::Any, in_bounds: false };
 
 block! {
     /// A memory of each kind, for one run of a synthesizer.

@@ -21,11 +21,10 @@ fn memories_become_what_the_appendix_says() {
     let mut rows = String::new();
     for words in KINDS {
         let (module, depth) = (words.name(), words.depth);
-        let read = match (words.at_once, words.old, words.in_bounds) {
-            (true, ..) => "`read_async`",
-            (false, true, _) => "`read`, `Old`",
-            (false, false, true) => "`read`, `Any`, `.in_bounds()`",
-            (false, false, false) => "`read`, `Any`",
+        let read = match (words.at_once, words.in_bounds) {
+            (true, _) => "`read_async`".to_owned(),
+            (false, true) => format!("`read`, `{:?}`, `.in_bounds()`", words.policy),
+            (false, false) => format!("`read`, `{:?}`", words.policy),
         };
         let cells = families.each_ref().map(|cells| cells[&module].join(", "));
         writeln!(rows, "| {depth} | {read} | {} |", cells.join(" | ")).unwrap();
