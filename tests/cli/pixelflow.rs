@@ -204,8 +204,8 @@ fn mistakes_are_said() {
         assert!(run.stderr.contains(sentence), "{options}: {}", run.stderr);
     };
     said("--nodes 3 --shaders 2 --size 32x24", "none is left to rasterize; give at least 4");
-    said("--array 12x8", "powers of two from 2 to 256");
-    said("--array 4x8", "each side has to be from 8 to 256 pixels");
+    said("--array 12x8", "an array of 12x8 pixels: each side has to be a power of two from 8 to 256");
+    said("--array 4x8", "an array of 4x8 pixels: each side has to be a power of two from 8 to 256");
     said("--array wide", "give width and height in pixels, such as 128x64");
     said("--system non-texturing --shaders 2", "has no shaders: leave out --shaders");
     said("--system non-texturing --array 8x8 --size 64x64", "have room for 44");

@@ -91,10 +91,12 @@ impl Config {
     /// The array's sides are out of range.
     pub fn pixels(&self) -> Result<PixelArray, ParameterError> {
         let [width, height] = self.array;
-        if width < Config::SMALLEST || height < Config::SMALLEST {
-            let least = Config::SMALLEST;
+        let sides = Config::SMALLEST..=256;
+        if [width, height].iter().any(|side| !side.is_power_of_two() || !sides.contains(side)) {
             return Err(ParameterError(format!(
-                "an array of {width}x{height} pixels: each side has to be from {least} to 256 pixels"
+                "an array of {width}x{height} pixels: each side has to be a power of two from {} to {}",
+                sides.start(),
+                sides.end()
             )));
         }
         Ok(PixelArray { width, height }.checked()?)
