@@ -335,8 +335,12 @@ impl Sda {
 #[test]
 fn nothing_else_has_the_name_of_a_pad() {
     let text = without_comments(&verilog(&elaborate(&Sda).unwrap()));
-    for part in ["module sda_ (", "    inout  wire sda,\n", "    inout  wire _unused_ok,\n", "    wire _unused_ok_1 ="]
-    {
+    for part in [
+        "module sda_ (",
+        "    inout  wire       sda,\n",
+        "    inout  wire       _unused_ok,\n",
+        "    wire _unused_ok_2 =",
+    ] {
         assert!(text.contains(part), "{part}\n is not in\n{text}");
     }
 }

@@ -115,7 +115,7 @@ fn each_kind_of_reset_goes_into_one_folder() {
     ] {
         let report = folder.json(&format!("verilog counter --reset {kind} -o out --testbench --json"));
         assert_eq!(report["top"], top);
-        assert!(folder.read(&format!("out/{top}.v")).contains(edge), "{kind}");
+        assert!(folder.read(format!("out/{top}.v")).contains(edge), "{kind}");
     }
     // No file of one kind was overwritten by another.
     assert_eq!(std::fs::read_dir(folder.path("out")).unwrap().count(), 10);

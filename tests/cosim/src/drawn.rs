@@ -63,15 +63,16 @@ impl Kind {
     }
 }
 
-/// The design with the kind of reset in the names of the library's modules. The kind of a top's own clock is in no name,
-/// and several designs go to one run of another simulator.
-fn with_own_library(design: Design, name: &str, reset: Reset) -> Result<Design, Problems> {
-    if reset == Reset::Synchronous {
+/// The design with the kind of reset and the edge in the names of the library's modules. Those of a top's own clock are
+/// in no name, and several designs go to one run of another simulator.
+fn with_own_library(design: Design, name: &str, clock: DefaultClock) -> Result<Design, Problems> {
+    let DefaultClock { reset, edge, .. } = clock;
+    if (reset, edge) == (Reset::Synchronous, Edge::Rising) {
         return Ok(design);
     }
     let mut modules = design.into_modules();
     for module in modules.iter_mut().filter(|module| !module.name.starts_with(&format!("{name}_"))) {
-        module.name += &format!("_under_{reset:?}").to_lowercase();
+        module.name += &format!("_under_{reset:?}_{edge:?}").to_lowercase();
     }
     Design::new(modules)
 }
@@ -92,7 +93,7 @@ impl Drawn {
         match self {
             Drawn::Described(spec) => {
                 let clock = DefaultClock { edge, ..DefaultClock::new(DEFAULT_PERIOD).reset(own) };
-                with_own_library(elaborate_at(&build::top(spec, &name), clock)?, &name, own)
+                with_own_library(elaborate_at(&build::top(spec, &name), clock)?, &name, clock)
             }
             Drawn::Shaped(spec) => shaped::design(spec, &name),
             Drawn::Streams(spec) => streams::design(spec, &name),

@@ -67,8 +67,15 @@ fn a_wrong_operator_is_found_and_shrunk() {
     if !Tool::Icarus.is_here() {
         return;
     }
-    let campaign =
-        Campaign { printer: wrong_printer, batch: 20, lints: false, shrinks: 1, ..Campaign::icarus(SEED, 160) };
+    // Design 8 fails, too, but whichever step of it is left out, later ones read other values.
+    let campaign = Campaign {
+        printer: wrong_printer,
+        first: 9,
+        batch: 20,
+        lints: false,
+        shrinks: 1,
+        ..Campaign::icarus(SEED, 160)
+    };
     let summary = campaign.run(|_| {});
     let steps = |failure: &Failure| failure.spec.steps();
     let smallest = summary.failures.first().map(steps).expect("a wrong operator goes unnoticed");
