@@ -39,7 +39,7 @@ const QUIET: PortsIn<u64> = PortsIn { writes: 0, to: 0, reads: 0, from: 0, at_on
 fn said(inputs: &PortsIn<u64>) -> String {
     let said = [EngineKind::Interpreter, EngineKind::Both].map(|kind| {
         let mut sim = Simulation::of(&Ports).unwrap().on(kind);
-        sim.drive(inputs.clone());
+        sim.drive(*inputs);
         sim.try_step().err().map(|error| error.to_string()).unwrap_or_default()
     });
     assert_eq!(said[0], said[1]);
