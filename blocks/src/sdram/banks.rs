@@ -52,7 +52,8 @@ impl SdramController {
         same.when(arrives, rows.read_async(next.bank).eq(next.row)).when(opens, 1);
         m.assert(arrives.implies(!opens & !closes), "a request arrives where no single row is opened or closed");
 
-        is_open.when(chosen & opens, 1).when((chosen & closes) | closes_all, 0);
+        // A row that is closed for another one is opened by the same request.
+        is_open.when(chosen & opens, 1).when(closes_all, 0);
         rows.write(opens, head.bank, head.row);
         keeps
             .when(chosen & opens, self.keeps_opened() - 1)

@@ -215,7 +215,9 @@ impl Rig {
 
     /// Goes on until no more command comes: the chip is ready.
     fn start(&mut self) {
+        let end = self.clock + 100_000;
         while self.chip.counts[0] == 0 {
+            assert!(self.clock < end, "the controller does not begin");
             self.step(None);
         }
         (0..self.block.mrd).for_each(|_| {
