@@ -115,6 +115,7 @@ impl MultipassControl {
         def!(may_change = stage.is(Pass) & !i.busy | stage.is(Average));
 
         m.assume(i.swap.implies(!i.busy), "the banks do not change while a sum is under way");
+        m.assume(m.rose(i.busy).implies(m.past(start)), "a sum gets under way in the clock after its start");
         m.assume(
             i.swap.implies(!stage.is(LastSum) & !stage.is(Turn)),
             "the banks do not change before the average has been shown for a whole refresh",

@@ -50,7 +50,7 @@ module multipass_control (
     wire last = number == last_choice;                           // rtl/src/gfb/multipass.rs:101
     wire summed = (stage == STAGE_LAST_SUM) & !busy;             // rtl/src/gfb/multipass.rs:106
     wire may_change = ((stage == STAGE_PASS) & !busy) | (stage == STAGE_AVERAGE); // rtl/src/gfb/multipass.rs:115
-    assign may_swap = blanking & may_change;                     // rtl/src/gfb/multipass.rs:131
+    assign may_swap = blanking & may_change;                     // rtl/src/gfb/multipass.rs:132
 
     always @(posedge clk) begin
         if (rst) begin
@@ -91,16 +91,33 @@ module multipass_control (
 `endif
 
 `ifndef SYNTHESIS
+    reg busy_past;                                               // rtl/src/gfb/multipass.rs:118
+    reg start_past;                                              // rtl/src/gfb/multipass.rs:118
+    reg has_past;                                                // rtl/src/gfb/multipass.rs:118
+
+    initial has_past = 1'b0;
+
+    always @(posedge clk) begin
+        busy_past <= busy;
+        start_past <= start;
+    end
+
+    always @(posedge clk) begin
+        if (rst) has_past <= 1'b0;
+        else has_past <= 1'b1;
+    end
+
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!swap | !busy);                            // rtl/src/gfb/multipass.rs:117
-        if (!rst) assume (!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN))); // rtl/src/gfb/multipass.rs:118
-        if (!rst) assert (averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE))); // rtl/src/gfb/multipass.rs:122
-        if (!rst) assert (!averages | !busy);                        // rtl/src/gfb/multipass.rs:126
-        if (!rst) cover (start & averages);                          // rtl/src/gfb/multipass.rs:127
-        if (!rst) cover (swap & !start & averages);                  // rtl/src/gfb/multipass.rs:128
-        if (!rst) cover (summed & !blanking);                        // rtl/src/gfb/multipass.rs:129
-        if (!rst) cover (blanking & busy);                           // rtl/src/gfb/multipass.rs:130
+        if (!rst) assume (!has_past | (!(busy & !busy_past) | start_past)); // rtl/src/gfb/multipass.rs:118
+        if (!rst) assume (!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN))); // rtl/src/gfb/multipass.rs:119
+        if (!rst) assert (averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE))); // rtl/src/gfb/multipass.rs:123
+        if (!rst) assert (!averages | !busy);                        // rtl/src/gfb/multipass.rs:127
+        if (!rst) cover (start & averages);                          // rtl/src/gfb/multipass.rs:128
+        if (!rst) cover (swap & !start & averages);                  // rtl/src/gfb/multipass.rs:129
+        if (!rst) cover (summed & !blanking);                        // rtl/src/gfb/multipass.rs:130
+        if (!rst) cover (blanking & busy);                           // rtl/src/gfb/multipass.rs:131
     end
 `else
     reg is_covered;
@@ -116,37 +133,41 @@ module multipass_control (
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks do not change while a sum is under way", $time);
             stop;
         end
-        if (!rst && !(!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN)))) begin // rtl/src/gfb/multipass.rs:118
+        if (!rst && !(!has_past | (!(busy & !busy_past) | start_past))) begin // rtl/src/gfb/multipass.rs:118
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a sum gets under way in the clock after its start", $time);
+            stop;
+        end
+        if (!rst && !(!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN)))) begin // rtl/src/gfb/multipass.rs:119
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks do not change before the average has been shown for a whole refresh", $time);
             stop;
         end
-        if (!rst && !(averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE)))) begin // rtl/src/gfb/multipass.rs:122
+        if (!rst && !(averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE)))) begin // rtl/src/gfb/multipass.rs:123
             $display("FAIL: time %0t: %m: the average is shown when the sum of all passes is complete", $time);
             stop;
         end
-        if (!rst && !(!averages | !busy)) begin                      // rtl/src/gfb/multipass.rs:126
+        if (!rst && !(!averages | !busy)) begin                      // rtl/src/gfb/multipass.rs:127
             $display("FAIL: time %0t: %m: no sum is under way while its average is shown", $time);
             stop;
         end
-        if (!rst && (start & averages) && !is_covered) begin         // rtl/src/gfb/multipass.rs:127
+        if (!rst && (start & averages) && !is_covered) begin         // rtl/src/gfb/multipass.rs:128
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a picture begins while the average of the previous one is shown", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!rst && (swap & !start & averages) && !is_covered_2) begin // rtl/src/gfb/multipass.rs:128
+        if (!rst && (swap & !start & averages) && !is_covered_2) begin // rtl/src/gfb/multipass.rs:129
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a frame without accumulation follows an average", $time);
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!rst && (summed & !blanking) && !is_covered_3) begin     // rtl/src/gfb/multipass.rs:129
+        if (!rst && (summed & !blanking) && !is_covered_3) begin     // rtl/src/gfb/multipass.rs:130
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a last sum waits for the blanking", $time);
             `endif
             is_covered_3 <= 1'b1;
         end
-        if (!rst && (blanking & busy) && !is_covered_4) begin        // rtl/src/gfb/multipass.rs:130
+        if (!rst && (blanking & busy) && !is_covered_4) begin        // rtl/src/gfb/multipass.rs:131
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a blanking passes while a sum is under way", $time);
             `endif
