@@ -149,10 +149,13 @@ fn read(text: String, places: &Places, ends: &Ends) -> Result<Model, Error> {
             ["wire" | "input" | "output" | "register", name, width] => {
                 wires.insert(name.to_owned(), width.parse().map_err(|_| unknown(line))?);
             }
-            [kind @ ("assert" | "cover"), id, .., place] => {
-                let (file, row, column) = place_of(place).ok_or_else(|| unknown(line))?;
-                let place = (file, row);
-                let number = *places.get(&place).ok_or_else(|| unknown(line))?;
+            [kind @ ("assert" | "cover"), id, .., origin] => {
+                // Of a statement in an instance, the places of the instances around it may be there, too.
+                let mut origins = origin.split('|').filter_map(place_of);
+                let is_known =
+                    |(file, row, column)| Some(((file, row), column)).filter(|it| places.contains_key(&it.0));
+                let (place, column) = origins.find_map(is_known).ok_or_else(|| unknown(line))?;
+                let number = places[&place];
                 let (letter, kind) = match kind {
                     "cover" => ("c", GoalKind::Cover),
                     _ if ends.get(&place).is_some_and(|end| column > *end) => ("a", GoalKind::Helper),
@@ -171,9 +174,9 @@ fn unknown(line: &str) -> Error {
     Error::tool(YOSYS.program, format!("its formulas cannot be read: {line}"))
 }
 
-/// The file, the first line and the first column of a place such as `queue.v:97.18-97.59`; places of instances and `|` may come before it.
+/// The file, the first line and the first column of a place such as `queue.v:97.18-97.59`.
 fn place_of(text: &str) -> Option<(String, u32, u32)> {
-    let (file, place) = text.rsplit('|').next()?.rsplit_once(':')?;
+    let (file, place) = text.rsplit_once(':')?;
     let (line, column) = place.split('-').next()?.split_once('.')?;
     Some((file.to_owned(), line.parse().ok()?, column.parse().ok()?))
 }

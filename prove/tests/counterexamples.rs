@@ -35,6 +35,42 @@ fn assertions_are_proved_and_covers_are_reached_or_never() {
     assert_eq!(words(&proof), expected.map(|(message, word)| (message, word.to_owned())));
 }
 
+block! {
+    /// A row of counts.
+    struct Counts;
+    in CountsIn { pushes: bit().of(row(2)), pops: bit().of(row(2)) }
+    out CountsOut { used: up_to(5).of(row(2)) }
+}
+
+impl Counts {
+    fn build(&self, m: Module, i: CountsIn) -> CountsOut {
+        let each = |_| CountIn { push: i.pushes, pop: i.pops };
+        CountsOut { used: m.array("u_count", 2, &Count { guarded: true }, each).used }
+    }
+}
+
+block! {
+    /// Two rows, one behind the other.
+    struct Deep;
+    in = CountsIn { pushes: bit().of(row(2)), pops: bit().of(row(2)) };
+    out = CountsOut { used: up_to(5).of(row(2)) };
+}
+
+impl Deep {
+    fn build(&self, m: Module, i: CountsIn) -> CountsOut {
+        def!(first = m.instance(&Counts, i));
+        m.instance("u_second", &Counts, CountsIn { pushes: first.used.bit(0), pops: i.pops })
+    }
+}
+
+/// Yosys gives a statement the places of the instances around it as well.
+#[test]
+fn statements_of_inner_instances_are_proved() {
+    let Some(proof) = proof(&design(&Deep), 10) else { return };
+    let outcome = words(&proof).remove(0);
+    assert_eq!(outcome, ("there are five at most", "proved over 1".to_owned()));
+}
+
 #[test]
 fn a_counterexample_fails_at_the_same_clock_on_every_engine() {
     let design = design(&Count { guarded: false });
