@@ -69,10 +69,8 @@ impl GfbSwap {
         def!(merged = waited & stored);
         swap.drive(merged & i.blanking);
 
-        m.assert(
-            swap.implies(i.blanking & stored & !stack(i.sending).or_all()),
-            "the banks change in a blanking, with all of the frame sent and stored",
-        );
+        m.assert(swap.implies(i.blanking & stored), "the banks change in a blanking, with all of the frame stored");
+        m.assume(swap.implies(!stack(i.sending).or_all()), "all of a frame is sent before the banks change");
         m.assert(since.eq(longest).implies(stored), "the frame is stored soon after T_m");
         m.assert(merged.implies(all_swapped), "a frame is merged only after all have ended it");
         m.assume(

@@ -28,7 +28,7 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
     reg [3:0] way_left;                                          // rtl/src/swap/gfb_swap.rs:66
 
     wire all_swapped;                                            // rtl/src/swap/gfb_swap.rs:60
-    wire assumed_all;                                            // rtl/src/swap/gfb_swap.rs:79
+    wire assumed_all;                                            // rtl/src/swap/gfb_swap.rs:77
     wire waited = since >= 5'd12;                                // rtl/src/swap/gfb_swap.rs:65
     wire stored = way_left == 4'd0;                              // rtl/src/swap/gfb_swap.rs:67
     assign merged = waited & stored;                             // rtl/src/swap/gfb_swap.rs:69
@@ -63,7 +63,7 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
             assign assumed_all_lanes[i] = row[i].assumed_or;
         end
     endgenerate
-    assign assumed_all = &assumed_all_lanes;                     // rtl/src/swap/gfb_swap.rs:79
+    assign assumed_all = &assumed_all_lanes;                     // rtl/src/swap/gfb_swap.rs:77
 
     always @(posedge clk) begin
         if (rst) begin
@@ -94,7 +94,7 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
 `endif
 
 `ifndef SYNTHESIS
-    reg has_past;                                                // rtl/src/swap/gfb_swap.rs:78
+    reg has_past;                                                // rtl/src/swap/gfb_swap.rs:76
 
     initial has_past = 1'b0;
 
@@ -105,12 +105,13 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!swap | (blanking & stored & !(sending_0 | sending_1))); // rtl/src/swap/gfb_swap.rs:72
-        if (!rst) assert ((since != 5'd20) | stored);                // rtl/src/swap/gfb_swap.rs:76
-        if (!rst) assert (!merged | all_swapped);                    // rtl/src/swap/gfb_swap.rs:77
-        if (!rst) assume (!has_past | assumed_all);                  // rtl/src/swap/gfb_swap.rs:78
-        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:82
-        if (!rst) cover (merged & !blanking);                        // rtl/src/swap/gfb_swap.rs:83
+        if (!rst) assert (!swap | (blanking & stored));              // rtl/src/swap/gfb_swap.rs:72
+        if (!rst) assume (!swap | !(sending_0 | sending_1));         // rtl/src/swap/gfb_swap.rs:73
+        if (!rst) assert ((since != 5'd20) | stored);                // rtl/src/swap/gfb_swap.rs:74
+        if (!rst) assert (!merged | all_swapped);                    // rtl/src/swap/gfb_swap.rs:75
+        if (!rst) assume (!has_past | assumed_all);                  // rtl/src/swap/gfb_swap.rs:76
+        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:80
+        if (!rst) cover (merged & !blanking);                        // rtl/src/swap/gfb_swap.rs:81
     end
 `else
     reg is_covered;
@@ -118,29 +119,33 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
     reg is_covered_2;
     initial is_covered_2 = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!swap | (blanking & stored & !(sending_0 | sending_1)))) begin // rtl/src/swap/gfb_swap.rs:72
-            $display("FAIL: time %0t: %m: the banks change in a blanking, with all of the frame sent and stored", $time);
+        if (!rst && !(!swap | (blanking & stored))) begin            // rtl/src/swap/gfb_swap.rs:72
+            $display("FAIL: time %0t: %m: the banks change in a blanking, with all of the frame stored", $time);
             stop;
         end
-        if (!rst && !((since != 5'd20) | stored)) begin              // rtl/src/swap/gfb_swap.rs:76
+        if (!rst && !(!swap | !(sending_0 | sending_1))) begin       // rtl/src/swap/gfb_swap.rs:73
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: all of a frame is sent before the banks change", $time);
+            stop;
+        end
+        if (!rst && !((since != 5'd20) | stored)) begin              // rtl/src/swap/gfb_swap.rs:74
             $display("FAIL: time %0t: %m: the frame is stored soon after T_m", $time);
             stop;
         end
-        if (!rst && !(!merged | all_swapped)) begin                  // rtl/src/swap/gfb_swap.rs:77
+        if (!rst && !(!merged | all_swapped)) begin                  // rtl/src/swap/gfb_swap.rs:75
             $display("FAIL: time %0t: %m: a frame is merged only after all have ended it", $time);
             stop;
         end
-        if (!rst && !(!has_past | assumed_all)) begin                // rtl/src/swap/gfb_swap.rs:78
+        if (!rst && !(!has_past | assumed_all)) begin                // rtl/src/swap/gfb_swap.rs:76
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a frame ends only when the previous one is on display", $time);
             stop;
         end
-        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:82
+        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:80
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the banks change", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!rst && (merged & !blanking) && !is_covered_2) begin     // rtl/src/swap/gfb_swap.rs:83
+        if (!rst && (merged & !blanking) && !is_covered_2) begin     // rtl/src/swap/gfb_swap.rs:81
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a merged frame waits for the blanking", $time);
             `endif

@@ -139,7 +139,7 @@ fn banks_that_swap_while_any_buffer_is_sent_are_an_error() {
         clock(&mut sim, SwapControlIn { idle: 0b11, ..IDLE });
         sim.drive(SwapControlIn { idle: 0b11, sending, blanking: 1, ..IDLE });
         let problem = std::iter::from_fn(|| Some(sim.try_step())).take(100).find_map(Result::err).unwrap().to_string();
-        assert!(problem.contains("with all of the frame sent and stored"), "{problem}");
+        assert!(problem.contains("all of a frame is sent before the banks change"), "{problem}");
     }
 }
 

@@ -104,7 +104,7 @@ fn a_swap_of_banks_before_all_is_sent_is_an_error() {
     sim.reset();
     sim.drive(GfbSwapIn { frames: vec![1], sending: vec![1], enable: 1, blanking: 1 });
     let problem = (0..20).find_map(|_| sim.try_step().err()).unwrap().to_string();
-    assert!(problem.contains("the banks change in a blanking, with all of the frame sent and stored"), "{problem}");
+    assert!(problem.contains("all of a frame is sent before the banks change"), "{problem}");
 }
 
 proptest! {
