@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};
 use tilewright_hdl::recording::{Initial, Step};
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Recording, bit, block, def, elaborate, row};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Recording, bit, bits as wide, block, def, elaborate, lit, row};
 
 /// A value and its width.
 type Value = (u32, u64);
@@ -192,6 +192,29 @@ fn a_single_lane_of_a_single_bit_starts_as_a_whole() {
     let initial = vec![Initial { path: "flags[0]".to_owned(), address: 0, words }];
     let steps = [(0, 1), (1, 0)].map(|(at, flag)| step(at, false, &[(1, 0), (1, at)], &[(1, flag)])).to_vec();
     run(&Flags, &Recording { steps, initial }).unwrap();
+}
+
+block! {
+    /// A memory for each lane, which are written at addresses of their own and read at one.
+    struct Shared;
+    in SharedIn { to: wide(2).of(row(2)), from: wide(2) }
+    out SharedOut { word: wide(2).of(row(2)) }
+}
+
+impl Shared {
+    fn build(&self, m: Module, i: SharedIn) -> SharedOut {
+        def!(words = m.memory(4, wide(2).of(row(2)), ReadUnderWrite::Any).fill(0));
+        words.write(lit(1, 1), i.to, i.to);
+        SharedOut { word: words.read_async(i.from + i.from) }
+    }
+}
+
+/// Icarus does not truncate an expression in an index to its width.
+#[test]
+fn an_address_that_lanes_share_is_computed_once() {
+    let step = |(cycle, (from, word))| step(cycle, false, &[(4, 0b10_10), (2, from)], &[(4, word)]);
+    let steps = (0..).zip([(0, 0), (1, 0b10_10), (2, 0), (3, 0b10_10)]).map(step).collect();
+    run(&Shared, &Recording { steps, initial: Vec::new() }).unwrap();
 }
 
 #[test]

@@ -78,7 +78,12 @@ impl Planner<'_> {
     pub(super) fn find_address_nets(&mut self) {
         for memory in &self.module.memories {
             let reads = memory.reads.iter().map(|read| read.address);
-            for address in reads.chain(memory.writes.iter().map(|write| write.address)) {
+            for mut address in reads.chain(memory.writes.iter().map(|write| write.address)) {
+                // Of lanes that share an address, each has the expression.
+                while let (Op::Broadcast { of, .. }, Form::Inline) = (&self.module.node(address).op, self.form(address))
+                {
+                    address = *of;
+                }
                 let op = &self.module.node(address).op;
                 let plain = is_place(op) || matches!(op, Op::Slice { .. } | Op::Concat(_));
                 // Yosys makes registers of a memory with a constant address.
