@@ -5,7 +5,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};
 use tilewright_hdl::recording::{Initial, Step};
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Recording, bit, bits as wide, block, def, elaborate, lit, row};
+use tilewright_hdl::{
+    Bits, Block, Module, ReadUnderWrite, Recording, bit, bits as wide, block, def, elaborate, lit, row,
+};
 
 /// A value and its width.
 type Value = (u32, u64);
