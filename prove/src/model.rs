@@ -8,7 +8,7 @@ use crate::process::run;
 use crate::solver::{Halt, Patience};
 use std::collections::BTreeMap;
 use std::path::Path;
-use tilewright_gen::tools::Missing;
+use tilewright_gen::tools::{Missing, WITH_MODELS, sources};
 use tilewright_gen::{VerilogFile, verilog};
 
 /// What to do where Yosys is missing.
@@ -86,10 +86,9 @@ pub fn unwritable(error: std::io::Error) -> Error {
 /// The commands that make one module of the files, without memories. Passes that could choose a value for something
 /// undefined are left out, and what is undefined has any value.
 pub fn read_and_flatten(files: &[VerilogFile], top: &str) -> String {
-    let sources: Vec<&str> = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect();
-    let sources = sources.join(" ");
+    let sources = sources(files).join(" ");
     format!(
-        "read_verilog -formal -DTILEWRIGHT_MODELS {sources}; hierarchy -check -top {top}; proc; flatten; \
+        "read_verilog -formal {WITH_MODELS} {sources}; hierarchy -check -top {top}; proc; flatten; \
          opt_expr -keepdc; opt_clean; memory_collect; memory_map; opt_expr -keepdc; opt_clean; chformal -early; \
          async2sync; dffunmap; setundef -undriven -anyseq; opt_clean"
     )

@@ -13,6 +13,7 @@ use std::path::Path;
 use std::time::Instant;
 use tempfile::TempDir;
 use tilewright_gen::VerilogFile;
+use tilewright_gen::tools::sources;
 use tilewright_hdl::Design;
 
 /// What is asked of the tools.
@@ -128,13 +129,8 @@ impl Task<'_> {
     /// Runs Yosys; whether it was in time.
     fn synthesize(&self, top: &str, files: &[VerilogFile], space: &Workspace) -> Result<bool, Failure> {
         (self.phase)("synthesizing");
-        let sources: Vec<&str> =
-            files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect();
-        let script = format!(
-            "read_verilog {}\n{} -top {top}\nwrite_json {SYNTHESIZED}\nstat\n",
-            sources.join(" "),
-            self.device.pass()
-        );
+        let (sources, pass) = (sources(files).join(" "), self.device.pass());
+        let script = format!("read_verilog {sources}\n{pass} -top {top}\nwrite_json {SYNTHESIZED}\nstat\n");
         space.write(SCRIPT, script.as_bytes())?;
         let arguments = ["-s", SCRIPT].map(str::to_owned);
         let yosys = &self.programs.yosys;

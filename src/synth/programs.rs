@@ -5,9 +5,8 @@ use crate::shell::{Exit, Failure, interrupt};
 use std::fs::File;
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::thread::sleep;
-use std::time::Duration;
+use std::process::{Command, Stdio};
+use tilewright_gen::tools::{is_installed, run_watched};
 
 /// The two programs, as they are called.
 pub struct Programs {
@@ -31,12 +30,9 @@ pub enum Ended {
     Stopped,
 }
 
-/// The time between two looks at a program that runs.
-const PAUSE: Duration = Duration::from_millis(20);
-
 impl Programs {
-    /// The programs for a device. nextpnr is taken as the system has it, or else of its Python package; then Yosys from the same
-    /// place, if it is there, because old and new ones of them do not always go together.
+    /// The programs for a device: nextpnr as the system has it, or else as its Python package has it. Yosys is of the same
+    /// origin if it can be, because an old one and a new nextpnr do not always go together.
     ///
     /// # Errors
     /// One is not installed.
@@ -54,9 +50,7 @@ impl Programs {
 
 /// The first of the programs that is on the search path.
 fn installed(names: &[String]) -> Option<String> {
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let is_there = |name: &&String| std::env::split_paths(&path).any(|folder| folder.join(name).is_file());
-    names.iter().find(is_there).cloned()
+    names.iter().find(|name| is_installed(name)).cloned()
 }
 
 fn missing(program: &str) -> Failure {
@@ -88,35 +82,21 @@ impl Program {
     ) -> Result<Ended, Failure> {
         let cannot = |error| Failure::new(Exit::NoTool, format!("{} cannot be run: {error}", self.name));
         let path = folder.join(log);
-        let file = File::create(&path).map_err(cannot)?;
-        let errors = file.try_clone().map_err(cannot)?;
+        let printed = File::create(&path).map_err(cannot)?;
         let mut command = Command::new(&self.name);
-        command.args(arguments).current_dir(folder).stdin(Stdio::null()).stdout(file).stderr(errors);
-        let mut child = Guard(command.spawn().map_err(cannot)?);
-        loop {
-            let ended = child.0.try_wait().map_err(cannot)?;
-            // Ctrl-C reaches the program too, which then fails.
-            if interrupt::asked() {
-                return Err(Failure::new(interrupt::exit(), format!("interrupted while {} ran", self.name)));
-            }
-            match ended {
-                Some(status) if status.success() => return Ok(Ended::Well),
-                Some(_) => return Ok(Ended::Badly),
-                None if watch(&path).is_break() => return Ok(Ended::Stopped),
-                None => sleep(PAUSE),
-            }
+        // Ctrl-C reaches the program too, which then fails.
+        let ended = run_watched(command.args(arguments).current_dir(folder), printed, || match interrupt::asked() {
+            true => ControlFlow::Break(()),
+            false => watch(&path),
+        });
+        if interrupt::asked() {
+            return Err(Failure::new(interrupt::exit(), format!("interrupted while {} ran", self.name)));
         }
-    }
-}
-
-/// A program that ends with the command.
-struct Guard(Child);
-
-impl Drop for Guard {
-    fn drop(&mut self) {
-        // One that has ended cannot be killed.
-        let _ = self.0.kill();
-        let _ = self.0.wait();
+        Ok(match ended.map_err(cannot)? {
+            ControlFlow::Continue(status) if status.success() => Ended::Well,
+            ControlFlow::Continue(_) => Ended::Badly,
+            ControlFlow::Break(()) => Ended::Stopped,
+        })
     }
 }
 

@@ -133,8 +133,7 @@ impl Table {
     }
 
     /// The call that writes the rows from `first` on. The 1 on top is for Verilator 5.006, which writes past the end of
-    /// a wide constant whose first
-    /// word is 0.
+    /// a wide constant whose first word is 0.
     fn call(&self, first: usize, own: &OwnNames) -> Vec<String> {
         let last = self.rows.min(first + self.at_once());
         let mut out = vec![format!("    {}({first}, {}, {{ 1'b1,", own["put"], last - first)];

@@ -13,14 +13,16 @@ mod placement;
 mod replay;
 mod run;
 mod synthesis;
+mod watched;
 
 pub use binary::verilated;
 pub use linters::{lint, lint_all, lint_quickly};
 pub use model::{Compiler, Model, Source};
 pub use placement::{Device, Frequency, Placed, place};
 pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
-pub use run::{skipped, skipped_without};
+pub use run::{is_installed, skipped, skipped_without, sources};
 pub use synthesis::{Target, cells};
+pub use watched::run_watched;
 
 pub use crate::verilog::{WITH_COVERS, WITH_MODELS};
 

@@ -42,7 +42,14 @@ pub fn run_in(folder: &Path, command: &mut Command) -> (bool, String) {
     (output.status.success(), String::from_utf8_lossy(&text).into_owned())
 }
 
-/// The names of the Verilog files.
+/// The names of the Verilog files: what a tool reads, without what memories are filled with.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let files = tilewright_gen::verilog(&design);
+/// assert_eq!(tilewright_gen::tools::sources(&files), ["delay.v"]);
+/// ```
 pub fn sources(files: &[VerilogFile]) -> Vec<&str> {
     files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect()
 }
@@ -106,6 +113,10 @@ pub fn skipped(why: &str) -> Checked {
 }
 
 /// Whether a program of this name is on the search path.
+///
+/// ```
+/// assert!(!tilewright_gen::tools::is_installed("no-such-program"));
+/// ```
 pub fn is_installed(name: &str) -> bool {
     let path = std::env::var_os("PATH").unwrap_or_default();
     std::env::split_paths(&path).any(|folder| folder.join(name).is_file())
