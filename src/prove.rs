@@ -1,6 +1,7 @@
 //! `tilewright prove`: what a block states is proved, or a run shows that it does not hold.
 
 use crate::block::{BlockArguments, design};
+use crate::number::number;
 use crate::shell::output::Waveform;
 use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
 use clap::Args;
@@ -36,10 +37,10 @@ pub struct Prove {
     #[command(flatten)]
     block: BlockArguments,
     /// The number of clocks to search, and to prove over
-    #[arg(long, value_name = "CLOCKS", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "CLOCKS", default_value_t = 20, value_parser = number(1_u32..=10_000))]
     depth: u32,
     /// End the search after this number of seconds [default: no limit]
-    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    #[arg(long, value_name = "SECONDS", value_parser = number(1_u64..=1_000_000))]
     seconds: Option<u64>,
     /// Show the run of the statement with this number [default: the first assertion that fails]
     #[arg(long, value_name = "NUMBER")]

@@ -2,6 +2,7 @@
 
 use crate::block::{BlockArguments, design, design_with, simulation};
 use crate::constraints::ConstraintOptions;
+use crate::names;
 use crate::player::{check_length, play};
 use crate::shell::output::{Folder, quoted};
 use crate::shell::{Exit, Failure, progress, terminal};
@@ -9,6 +10,7 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use tilewright_gen::tools::{WITH_COVERS, WITH_MODELS, sources};
 use tilewright_gen::{VerilogFile, testbench, verilog};
 use tilewright_hdl::{Design, Recording, Reset, Scenario};
 use tilewright_sim::{EngineKind, Simulation};
@@ -36,7 +38,7 @@ pub struct Verilog {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
     /// How the clock resets registers. A kind other than `sync` is part of the modules' names
-    #[arg(long, value_name = "KIND", value_enum)]
+    #[arg(long, value_name = "KIND", value_parser = names::of::<Kind>("kind of reset"))]
     reset: Option<Kind>,
     /// Write a testbench as well, recorded from a run of the block's scenario
     #[arg(long)]
@@ -138,12 +140,6 @@ fn record(sim: &mut Simulation, scenario: &Scenario) -> Result<Recording, Failur
     Ok(recording.take())
 }
 
-/// With this macro the simulators print what is covered.
-const COVERS: &str = "-DTILEWRIGHT_COVERS";
-
-/// With this macro the models of foreign modules and of pads stand for them.
-const MODELS: &str = "-DTILEWRIGHT_MODELS";
-
 /// Whether a simulation of the Verilog needs models.
 fn needs_models(design: &Design) -> bool {
     design.modules().iter().any(|module| module.foreign.is_some() || module.is_pad)
@@ -153,10 +149,9 @@ fn needs_models(design: &Design) -> bool {
 /// the other. `-n` stops Icarus from asking what to do at `$stop`, and the macro prints covers.
 fn simulators(folder: &Path, files: &[VerilogFile], with_models: bool) -> Vec<String> {
     let folder = quoted(folder);
-    let sources: Vec<&str> = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect();
     let top = files.last().map_or("", |bench| bench.name.trim_end_matches(".v"));
-    let sources = sources.join(" ");
-    let macros = if with_models { format!("{COVERS} {MODELS}") } else { COVERS.to_owned() };
+    let sources = sources(files).join(" ");
+    let macros = if with_models { format!("{WITH_COVERS} {WITH_MODELS}") } else { WITH_COVERS.to_owned() };
     vec![
         format!("(cd {folder} && iverilog -g2005 {macros} -s {top} -o bench.vvp {sources} && vvp -n bench.vvp)"),
         format!("(cd {folder} && verilator --binary {macros} --top-module {top} -o bench {sources} && obj_dir/bench)"),
