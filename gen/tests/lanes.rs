@@ -197,4 +197,6 @@ fn ends_of_the_range_in_some_lanes() {
 #[test]
 fn constants_behind_a_list_of_what_it_is_made_of() {
     clean(vec![awkward::listed_of_each_other()]);
+    let text = clean(vec![awkward::shifted_by_an_entry()]);
+    assert!(text.contains("assign shifted = y;"), "{text}");
 }

@@ -273,3 +273,17 @@ pub fn listed_of_each_other() -> Module {
     b.output("below", below);
     b.module.clone()
 }
+
+/// A shift by the second entry of a list in which each entry is computed from the previous one: it is always zero.
+pub fn shifted_by_an_entry() -> Module {
+    let b = &mut Build::new("shifted_by_an_entry");
+    let (x, y) = (b.input("x", 24, Shape::Plain), b.input("y", 24, Shape::Plain));
+    let list = NodeId(y.0 + 3);
+    let before = b.node(Op::Lane { of: list, axis: 0, index: 0 }, 24, Shape::Plain);
+    let second = b.xor(before, x);
+    assert_eq!(b.stack(&[x, second], 0), list);
+    let amount = b.node(Op::Lane { of: list, axis: 0, index: 1 }, 24, Shape::Plain);
+    let shifted = b.node(Op::Shift(Shift::Left, y, amount), 24, Shape::Plain);
+    b.output("shifted", shifted);
+    b.module.clone()
+}

@@ -32,7 +32,7 @@ pub(crate) fn check(
     for (path, node) in outputs {
         names.port("output", &draft.port(path), draft.node(*node).loc);
     }
-    let ports = names.taken.keys().cloned().collect();
+    let ports = names.taken.keys().cloned().chain(super::pads::ports(&draft.inputs)).collect();
     let driven: Vec<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, draft.port(path))).collect();
     numbering::number(draft, &driven, &ports);
     name_reads(draft);

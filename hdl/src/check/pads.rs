@@ -1,6 +1,6 @@
 //! Pads are in the top, and each has its outside among the top's inputs.
 
-use crate::ir::{Clock, Instance, Module, NodeId, Op, Property};
+use crate::ir::{Clock, Input, Instance, Module, NodeId, Op, Property};
 use crate::mistake::Mistake;
 use crate::module::port_name;
 use crate::names::{is_reserved, is_reserved_in_cpp};
@@ -48,6 +48,11 @@ fn wrong(module: &Module, pad: &Instance, is_top: bool) -> Option<Problem> {
     let message = format!("pad `{port}` has the name of {kind}");
     let problem = Problem::new(Mistake::TakenName, pad.loc, message).note(format!("`{port}` is declared"), loc);
     Some(problem.help("the outside of a pad gives its name to a port of the chip: rename one of them"))
+}
+
+/// The names that pads give to ports of the chip, if each outside among the inputs has a pad.
+pub(super) fn ports(inputs: &[Input]) -> impl Iterator<Item = String> {
+    inputs.iter().filter_map(|input| Some(port_name("", input.path.strip_suffix(".drives")?)))
 }
 
 /// What else has the name of a pad's port.

@@ -38,6 +38,25 @@ fn a_number_is_skipped_if_another_line_asks_for_it() {
 }
 
 #[test]
+fn a_number_is_skipped_if_a_pad_has_the_name() {
+    block! {
+        /// Has a pad, which becomes the port `was_1`.
+        struct Pin;
+        in PinIn { was_1: Outside::widths(1), low: bit() }
+        out PinOut { line: bit() }
+    }
+    impl Pin {
+        fn build(&self, m: Module, i: PinIn) -> PinOut {
+            let low = edge(m, i.low) & edge(m, !i.low);
+            PinOut { line: m.instance("u_pin", &Pad::new(1).pull_up(), PadIn::open_drain(low, i.was_1)).line }
+        }
+    }
+    let design = elaborate(&Pin).unwrap();
+    let named = |name: &str| design.top().nodes.iter().any(|node| node.name.as_deref() == Some(name));
+    assert_eq!(["was", "was_1", "was_2"].map(named), [true, false, true]);
+}
+
+#[test]
 fn memories_their_reads_and_instances_take_the_same_numbers() {
     fn held(m: Module, x: Signal) -> Signal {
         def!(words = m.memory(128, 8, ReadUnderWrite::Any));

@@ -27,12 +27,16 @@ pub struct Folded {
 /// The same circuit, simplified. Nodes keep their ids; new ones are appended.
 pub fn fold(design: &Design, module: &Module) -> Folded {
     let (module, mut resets) = lower::lower(design, module);
-    let order = operands_first(&module);
+    let has_chains = has_chains(&module, &operands_first(&module));
     let mut fold = Fold { same: (0..module.nodes.len() as u32).map(NodeId).collect(), module };
-    // With chains of lanes, a node is visited before its operands, and so a second time.
-    let passes = if has_chains(&fold.module, &order) { 2 } else { 1 };
-    for _ in 0..passes {
-        order.iter().for_each(|&id| fold.visit(id));
+    // With chains of lanes, a node is visited before its operands, and so again until nothing new is known.
+    let (nodes, mut known) = (fold.same.len(), None);
+    loop {
+        operands_first(&fold.module).into_iter().for_each(|id| fold.visit(id));
+        let now = (0..nodes).filter(|&id| fold.is_settled(id)).count();
+        if !has_chains || known.replace(now) == Some(now) {
+            break;
+        }
     }
     fold.rewire();
     fold.settle_memories();
@@ -141,6 +145,11 @@ impl Fold {
             let holds = matches!(property.directive, Directive::Assert | Directive::Assume);
             !holds || constant(&module.nodes, property.condition) != Some(true)
         });
+    }
+
+    /// Whether a node has become another one, or a constant.
+    fn is_settled(&self, id: usize) -> bool {
+        self.same[id].0 as usize != id || self.constant(NodeId(id as u32)).is_some()
     }
 
     /// The node that replaces this one.
