@@ -200,3 +200,10 @@ fn constants_behind_a_list_of_what_it_is_made_of() {
     let text = clean(vec![awkward::shifted_by_an_entry()]);
     assert!(text.contains("assign shifted = y;"), "{text}");
 }
+
+/// Icarus takes two blocks for one where one reads a net by two names, and the other reads it and one more net.
+#[test]
+fn a_net_at_two_ports() {
+    let text = clean(awkward::fed_twice());
+    assert!(text.contains(".p        ({x}),") && text.contains(".q        (x),"), "{text}");
+}

@@ -326,13 +326,7 @@ impl Printer<'_> {
     fn lane_instance(&mut self, group: usize, id: InstanceId) -> Vec<String> {
         let instance = &self.module.instances[id.0 as usize];
         let child = self.design.module(instance.module);
-        let mut connections = self.clock_connections(instance, child);
-        for (port, &input) in child.inputs.iter().zip(&instance.inputs) {
-            connections.push((port.name.clone(), self.value(input)));
-        }
-        for (port, &output) in child.outputs.iter().zip(&instance.outputs) {
-            connections.push((port.name.clone(), self.target(output)));
-        }
+        let connections = self.connections(instance, |printer, output| printer.target(output));
         instantiate(child, &self.lanes.groups[group].instances[&(id.0 as usize)], (&connections, Vec::new()), None)
     }
 

@@ -4,7 +4,8 @@ use super::border::{made_clocks, port_of_pad};
 use super::foreign::{MODELS, instantiate};
 use super::layout::{range, with_place};
 use super::printer::Printer;
-use tilewright_hdl::ir::{Instance, Module};
+use std::ops::Range;
+use tilewright_hdl::ir::{Instance, Module, NodeId};
 
 impl Printer<'_> {
     /// The nets for the outputs of plain instances.
@@ -30,13 +31,7 @@ impl Printer<'_> {
 
     fn plain_instance(&mut self, instance: &Instance) -> Vec<String> {
         let child = self.design.module(instance.module);
-        let mut connections = self.clock_connections(instance, child);
-        for (port, &input) in child.inputs.iter().zip(&instance.inputs) {
-            connections.push((port.name.clone(), self.value(input)));
-        }
-        for (port, &output) in child.outputs.iter().zip(&instance.outputs) {
-            connections.push((port.name.clone(), self.name(output).to_string()));
-        }
+        let connections = self.connections(instance, |printer, output| printer.name(output).to_string());
         let made = made_clocks(child, self.module).into_iter().map(|(clock, port)| (port.to_string(), clock)).collect();
         match port_of_pad(child, self.module, instance) {
             Some(port) => self.pad(child, instance, &port, &connections),
@@ -63,8 +58,30 @@ impl Printer<'_> {
         out
     }
 
+    /// What is at the ports of an instance: clocks and resets, inputs, and what `name` gives for its outputs.
+    pub fn connections(
+        &mut self,
+        instance: &Instance,
+        mut name: impl FnMut(&mut Self, NodeId) -> String,
+    ) -> Vec<(String, String)> {
+        let child = self.design.module(instance.module);
+        let mut connections = self.clock_connections(instance, child);
+        let first = connections.len();
+        for (port, &input) in child.inputs.iter().zip(&instance.inputs) {
+            connections.push((port.name.clone(), self.value(input)));
+        }
+        let inputs = first..connections.len();
+        for (port, &output) in child.outputs.iter().zip(&instance.outputs) {
+            connections.push((port.name.clone(), name(self, output)));
+        }
+        if self.waits[instance.module.0 as usize] {
+            keep_apart(&mut connections, inputs);
+        }
+        connections
+    }
+
     /// The clocks and resets of an instance.
-    pub fn clock_connections(&mut self, instance: &Instance, child: &Module) -> Vec<(String, String)> {
+    fn clock_connections(&mut self, instance: &Instance, child: &Module) -> Vec<(String, String)> {
         let mut connections = Vec::new();
         for (clock, &driver) in child.clocks.iter().zip(&instance.clocks) {
             connections.push((clock.port.clone(), self.clock_port(driver)));
@@ -73,5 +90,18 @@ impl Printer<'_> {
             }
         }
         connections
+    }
+}
+
+/// Puts braces around the name of a net that is at a later port too. Without them Icarus has one net for both ports,
+/// and it may then take an `always @*` that reads both for another one, which reads one of them and something else.
+fn keep_apart(connections: &mut [(String, String)], inputs: Range<usize>) {
+    for i in inputs {
+        let (before, rest) = connections.split_at_mut(i + 1);
+        let value = &mut before[i].1;
+        let is_name = value.ends_with(|end: char| end.is_alphanumeric() || end == '_') && !value.contains([' ', '\'']);
+        if is_name && rest.iter().any(|(_, other)| other == value) {
+            *value = format!("{{{value}}}");
+        }
     }
 }

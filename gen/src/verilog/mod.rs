@@ -94,13 +94,16 @@ pub fn states(design: &Design) -> Vec<ModuleState> {
 
 /// Calls `visit` with each module as printed, as it is described, and its text.
 fn print_all(design: &Design, mut visit: impl FnMut(&Printer, &Module, String)) {
-    let mut names: Vec<Names> = Vec::new();
+    let (mut names, mut waits) = (Vec::<Names>::new(), Vec::new());
     for (module, latency) in design.modules().iter().zip(design.latencies()) {
         let mut folded = fold::fold(design, module);
         adopt::adopt_names(&mut folded.module);
-        let mut printer = Printer::new(design, &folded, &names);
+        let mut printer = Printer::new(design, &folded, &names, &waits);
         let text = module::print(&mut printer, module, latency.as_ref());
+        let waits_below = module.instances.iter().any(|instance| waits[instance.module.0 as usize]);
+        let waits_here = waits_below || text.contains("always @*");
         visit(&printer, module, text);
         names.push(printer.taken);
+        waits.push(waits_here);
     }
 }

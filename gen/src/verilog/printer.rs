@@ -18,6 +18,8 @@ use tilewright_hdl::ir::{Clock, ClockId, Design, Directive, Module, NodeId, Prop
 pub struct Printer<'a> {
     pub design: &'a Design,
     pub module: &'a Module,
+    /// For each earlier module of the design, whether an `always @*` is in it or below.
+    pub waits: &'a [bool],
     pub plan: Plan,
     pub taken: Names,
     /// The names of the nodes that have one.
@@ -45,8 +47,8 @@ pub struct Printer<'a> {
 }
 
 impl<'a> Printer<'a> {
-    /// `printed` has the names of the earlier modules of the design.
-    pub fn new(design: &'a Design, folded: &'a Folded, printed: &[Names]) -> Printer<'a> {
+    /// `printed` has the names of the earlier modules of the design, and `waits` whether an `always @*` is in them.
+    pub fn new(design: &'a Design, folded: &'a Folded, printed: &[Names], waits: &'a [bool]) -> Printer<'a> {
         let Folded { module, resets, beyond } = folded;
         let plan = Plan::new(folded);
         let groups = Groups::new(module, &plan, resets);
@@ -65,6 +67,7 @@ impl<'a> Printer<'a> {
         Printer {
             design,
             module,
+            waits,
             plan,
             taken,
             names,

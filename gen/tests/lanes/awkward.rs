@@ -287,3 +287,27 @@ pub fn shifted_by_an_entry() -> Module {
     b.output("shifted", shifted);
     b.module.clone()
 }
+
+/// Two choices, each of which reads three nets. What one of them reads is two nets outside, which the other one reads
+/// as well.
+pub fn fed_twice() -> Vec<Module> {
+    let b = &mut Build::new("choices");
+    let [steps, p, q, c] = ["steps", "p", "q", "c"].map(|name| b.input(name, 2, Shape::Plain));
+    for (name, subject, value) in [("by_steps", steps, p), ("by_input", p, q)] {
+        let inverse = b.not(value);
+        let chosen = b.case(subject, &[value, c, inverse], c);
+        b.output(name, chosen);
+    }
+    let child = b.module.clone();
+    let b = &mut Build::new("fed_twice");
+    let (x, c) = (b.input("x", 2, Shape::Plain), b.input("c", 2, Shape::Plain));
+    let steps = b.register("steps", 2, Shape::Plain, zero(2));
+    let one = b.constant(2, 1, Shape::Plain);
+    let next = b.add(steps, one);
+    b.next(steps, None, next);
+    let outputs = b.instance("u_choices", 0, &child, Shape::Plain, &[steps, x, x, c]);
+    for (name, output) in ["by_steps", "by_input"].into_iter().zip(outputs) {
+        b.output(name, output);
+    }
+    vec![child, b.module.clone()]
+}
