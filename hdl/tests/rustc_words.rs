@@ -295,6 +295,7 @@ use tilewright_hdl::*;
 block! { struct Ranges { width: u32 } ranges { width: 1..=8 } ranges { width: 1..=8 } }
 block! { struct Name; name = "name"; name = "name"; }
 block! { struct From; foreign = Foreign::module("FROM"); foreign = Foreign::module("FROM"); }
+block! { struct Ports; port_names { a: "b" } port_names { a: "b" } }
 block! { struct Late; latency = "2 clocks"; latency = "2 clocks"; }
 block! { struct Source; source = "section 3"; source = "section 3"; }
 block! { struct Fed; in FedIn { a: bit() } in MoreIn { a: bit() } }
@@ -309,6 +310,7 @@ fn rustc_says_which_clause_is_there_twice() {
         "a block has one clause `ranges`, as in `ranges { depth: 2..=8,",
         "a block has one clause `name`, as in `name = \"uart\";`",
         "a block has one clause `foreign`, as in `foreign = Foreign::module(\"EHXPLLL\").capitals();`",
+        "a block has one clause `port_names`, as in `port_names { beats: \"s_axis_t\" }`",
         "a block has one clause `latency`, as in `latency = \"2 clocks\";`",
         "a block has one clause `source`, as in `source = \"section 3\";`",
         "a block has one clause `in`, as in `in AdderIn {",
