@@ -6,7 +6,7 @@ use tilewright_hdl::{Bits, limbs_for};
 
 use crate::engine::program::{Memory, Program, Triggers, ValueId, hierarchy};
 use crate::engine::reference;
-use crate::engine::{Difference, Done, Engine, Failed, Word};
+use crate::engine::{Difference, Done, Engine, Failed, Saved, Word};
 
 /// Two engines that run the same circuit.
 pub(crate) struct Lockstep {
@@ -170,6 +170,12 @@ impl Engine for Lockstep {
         self.touched = true;
         self.reference.set_reset(clock, high);
         self.other.set_reset(clock, high);
+    }
+
+    fn restore(&mut self, program: &Program, saved: &Saved) {
+        self.touched = true;
+        self.reference.restore(program, saved);
+        self.other.restore(program, saved);
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {

@@ -11,6 +11,7 @@ mod passes;
 pub mod program;
 mod reference;
 mod rewrite;
+mod saved;
 mod semantics;
 mod start;
 pub(crate) mod until;
@@ -26,7 +27,8 @@ pub(crate) use compiled::Slot;
 pub use compiled::Unsupported;
 pub use explain::{Explained, Pass, explain};
 pub use passes::Passes;
-use program::{Program, Triggers, ValueId};
+use program::{Memory, Program, Triggers, ValueId};
+pub(crate) use saved::{Saved, fingerprint, for_each_width, state_limbs};
 pub(crate) use start::{Beginning, Given};
 use until::Until;
 
@@ -158,11 +160,22 @@ pub(crate) trait Engine: Send {
     /// A word of a memory.
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64>;
 
+    /// Appends all words of a memory, lane by lane, address by address.
+    fn all_words(&self, program: &Program, memory: u32, out: &mut Vec<u64>) {
+        let Memory { lanes, depth, .. } = program.memories[memory as usize];
+        for lane in 0..lanes {
+            (0..depth).for_each(|address| out.extend(self.word(memory, lane, address)));
+        }
+    }
+
     /// Replaces a word of a memory.
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]);
 
     /// Sets whether a clock's reset is active. An asynchronous one then sets its registers at once.
     fn set_reset(&mut self, clock: usize, high: bool);
+
+    /// Replaces all inputs, registers, read data and words. [`Engine::set_reset`] is called before it for each clock.
+    fn restore(&mut self, program: &Program, saved: &Saved);
 
     /// The assertions that fail at an edge of these clocks.
     fn check(&mut self, rising: &[usize]) -> Vec<Failed>;

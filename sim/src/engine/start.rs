@@ -156,7 +156,7 @@ fn mix(seed: u64) -> u64 {
 }
 
 /// The FNV-1a hash of a name, mixed with the seed.
-fn hash(seed: u64, name: &str) -> u64 {
+pub(crate) fn hash(seed: u64, name: &str) -> u64 {
     let fnv = name
         .bytes()
         .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));

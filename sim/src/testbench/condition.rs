@@ -204,23 +204,33 @@ impl Running {
     /// Advances until the condition is true; returns the number of instants.
     fn try_run_until(&mut self, until: &Until, limit: u64) -> Result<Option<u64>, Error> {
         if self.is_plain() {
-            let fits = limit.min(self.timeline.room());
-            if fits == 0 && limit > 0 {
-                return Err(Error::Late);
-            }
-            let (done, holds) = self.engine.edges_until(&[0], fits, until)?;
-            self.timeline.repeat(done.edges);
-            return match holds {
-                true => Ok(Some(done.edges)),
-                false if done.edges == limit => Ok(None),
-                false if done.edges == fits => Err(Error::Late),
-                false => Err(self.stopped()),
-            };
+            return self.repeat_until(until, limit);
         }
         for instants in 1..=limit {
             self.try_step()?;
             if until.holds(self.engine.read(until.value)) {
                 return Ok(Some(instants));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The same for one clock, without observers.
+    fn repeat_until(&mut self, until: &Until, limit: u64) -> Result<Option<u64>, Error> {
+        let mut instants = 0;
+        while instants < limit {
+            self.attend();
+            let fits = (limit - instants).min(self.timeline.room()).min(self.until_pause());
+            if fits == 0 {
+                return Err(Error::Late);
+            }
+            let (done, holds) = self.engine.edges_until(&[0], fits, until)?;
+            self.timeline.repeat(done.edges);
+            instants += done.edges;
+            match holds {
+                true => return Ok(Some(instants)),
+                false if done.edges < fits => return Err(self.stopped()),
+                false => {}
             }
         }
         Ok(None)

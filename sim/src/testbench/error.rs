@@ -6,6 +6,8 @@ use std::path::PathBuf;
 use tilewright_hdl::{Loc, Problems};
 
 use crate::engine::Difference;
+use crate::testbench::checkpoint::CheckpointError;
+use crate::testbench::past::Unremembered;
 use crate::testbench::replay::Unrepeated;
 
 /// Why a simulation could not be made or could not continue.
@@ -47,6 +49,12 @@ pub enum Error {
     /// The time of the next edge does not fit in 64 bits.
     #[error("the simulation is at its end: the next edge would be later than 2^64 ps, which is 213 days")]
     Late,
+    /// A time cannot be gone back to.
+    #[error(transparent)]
+    Unremembered(#[from] Unremembered),
+    /// A checkpoint cannot be restored.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
     /// Two engines side by side differ.
     #[error(transparent)]
     Differs(#[from] Box<Difference>),

@@ -5,6 +5,7 @@ use tilewright_hdl::Reset;
 use crate::engine::Failed;
 use crate::engine::program::{self, Triggers};
 use crate::testbench::error::{Error, UnknownName, Violation};
+use crate::testbench::past::Change;
 use crate::testbench::run::done;
 use crate::testbench::running::Running;
 use crate::testbench::trace::View;
@@ -15,6 +16,7 @@ impl Running {
         if self.resets[clock] == active || self.program.clocks[clock].kind == Reset::PowerOn {
             return;
         }
+        self.note(|| Change::Reset(clock as u32, active));
         self.cover_reset(clock, active);
         self.resets[clock] = active;
         self.reset_since[clock] = self.timeline.time();
@@ -62,7 +64,9 @@ impl Running {
     /// Advances to the next instant, if there is a fast path.
     #[inline]
     fn quick_step(&mut self) -> bool {
-        let is_done = self.observers.is_empty() && self.timeline.room() > 0 && self.engine.quick_edge();
+        let timeline = &self.timeline;
+        let is_free = self.observers.is_empty() && timeline.room() > 0 && timeline.time_of_first() < self.pause_at;
+        let is_done = is_free && self.engine.quick_edge();
         if is_done {
             self.timeline.repeat(1);
         }
@@ -75,6 +79,7 @@ impl Running {
         if self.quick_step() {
             return Ok(());
         }
+        self.attend();
         if self.is_plain() {
             return self.repeat(1);
         }
@@ -123,7 +128,7 @@ impl Running {
             return Ok(0);
         }
         let (until, n) = match self.timeline.next_time() {
-            Some(until) => (until, n.min(self.timeline.room())),
+            Some(until) => (until, n.min(self.timeline.room()).min(self.until_pause())),
             None => return Ok(0),
         };
         self.timeline.rising_at(until, &mut self.rising);
@@ -163,6 +168,7 @@ impl Running {
     fn repeat_seen(&mut self, n: u64) -> Result<(), Error> {
         let mut left = n;
         while left > 0 {
+            self.attend();
             let rows = self.rows(left)?;
             if rows == 0 {
                 self.single_step()?;
@@ -179,16 +185,22 @@ impl Running {
 
     /// Executes `n` edges of the only clock.
     fn repeat(&mut self, n: u64) -> Result<(), Error> {
-        let fits = n.min(self.timeline.room());
+        let mut left = n;
         // An engine counts down to the last edge, so it executes at least one.
-        if fits > 0 {
+        while left > 0 {
+            self.attend();
+            let fits = left.min(self.timeline.room()).min(self.until_pause());
+            if fits == 0 {
+                return Err(Error::Late);
+            }
             let done = self.engine.edges(&[0], fits)?;
             self.timeline.repeat(done.edges);
             if done.edges < fits {
                 return Err(self.stopped());
             }
+            left -= fits;
         }
-        if fits == n { Ok(()) } else { Err(Error::Late) }
+        Ok(())
     }
 
     /// Why the only clock does not rise.
@@ -217,10 +229,14 @@ impl Running {
     /// The same for several clocks, without observers.
     fn run_unseen_to(&mut self, time: u64) -> Result<(), Error> {
         loop {
-            self.engine.instants(self.timeline.ticks(), time);
+            self.attend();
+            self.engine.instants(self.timeline.ticks(), time.min(self.pause_at));
             let until = self.timeline.next_time().ok_or(Error::Late)?;
             if until > time {
                 return Ok(());
+            }
+            if self.is_due() {
+                continue;
             }
             self.timeline.rising_at(until, &mut self.rising);
             self.rise(until)?;

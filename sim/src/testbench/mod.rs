@@ -2,6 +2,7 @@
 
 mod attach;
 mod batch;
+mod checkpoint;
 mod condition;
 mod covers;
 mod error;
@@ -10,6 +11,7 @@ mod example;
 pub mod for_examples;
 mod instants;
 mod lookup;
+mod past;
 mod peek;
 mod play;
 mod port;
@@ -26,11 +28,13 @@ mod values;
 
 pub use attach::Probe;
 pub use batch::Batch;
+pub use checkpoint::{Checkpoint, CheckpointError, StateDifference};
 pub use condition::Condition;
 pub use covers::Covered;
 pub use error::{Error, UnknownName, Violation};
 #[doc(hidden)]
 pub use example::{Traced, example, traced};
+pub use past::Unremembered;
 pub use port::{IntoValue, Port};
 pub use processes::{Answer, Monitor, Pauses, Process, Processes, Testbench, monitor};
 pub use replay::Unrepeated;

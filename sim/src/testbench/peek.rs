@@ -7,6 +7,7 @@ use crate::engine::Word;
 use crate::engine::program::Triggers;
 use crate::testbench::error::UnknownName;
 use crate::testbench::lookup::{self, Found};
+use crate::testbench::past::Change;
 use crate::testbench::port::IntoValue;
 use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
@@ -192,6 +193,7 @@ impl Running {
         );
         match value.into_value(self.program.memories[memory as usize].width) {
             Ok(bits) => {
+                self.note(|| Change::Word(Box::new(([memory, lane, address], bits.limbs().to_vec()))));
                 self.engine.set_word(memory, lane, address, bits.limbs());
                 self.changed = Triggers::ALL;
                 if is_start {

@@ -8,6 +8,7 @@ use tilewright_hdl::{Bits, Design, limbs_for, top_mask};
 use crate::engine::program::{self, Program, Triggers, ValueId};
 use crate::engine::{Beginning, EngineKind, Passes, Slot, Started, lane};
 use crate::testbench::error::UnknownName;
+use crate::testbench::past::{Change, Past};
 use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::timeline::Timeline;
 use crate::testbench::trace::{Observer, Poked};
@@ -37,6 +38,9 @@ pub(crate) struct Running {
     /// For each run, the value and lane of each name that was looked up: a testbench looks at the same names in every
     /// cycle.
     pub peeked: FxHashMap<u32, FxHashMap<String, (ValueId, u32)>>,
+    /// What is remembered, and the time at which that wants something to be done; the largest one if there is nothing.
+    pub past: Option<Box<Past>>,
+    pub pause_at: u64,
     /// By port number.
     ports: Vec<Wired>,
 }
@@ -96,6 +100,8 @@ impl Running {
             in_reset: Vec::new(),
             before_reset: Vec::new(),
             peeked: FxHashMap::default(),
+            past: None,
+            pause_at: u64::MAX,
             ports: ports.collect(),
             program,
         };
@@ -124,6 +130,14 @@ impl Running {
         self.resets.fill(false);
         self.poked.clear();
         self.clear_covers();
+        self.remember_again();
+    }
+
+    /// Remembers from the present state on, if anything is remembered.
+    pub fn remember_again(&mut self) {
+        if let Some(past) = self.past.take() {
+            self.remember(past.most());
+        }
     }
 
     pub fn port(&self, name: &str) -> Result<Port, UnknownName> {
@@ -179,6 +193,7 @@ impl Running {
             return false;
         }
         self.may_have_changed(triggers);
+        self.note(|| Change::Input(port.index, limb));
         self.engine.quick_set(slot, limb, triggers) || self.write_limb(port, limb)
     }
 
@@ -192,6 +207,7 @@ impl Running {
 
     /// Sets an input in all runs.
     pub fn write(&mut self, port: Port, limbs: &[u64]) {
+        self.note(|| Change::of_input(port.index, limbs));
         let input = &self.program.inputs[port.index as usize];
         self.engine.write(input.value, limbs, input.triggers);
         self.may_have_changed(input.triggers);

@@ -29,6 +29,12 @@ impl Timeline {
         self.clocks.iter().chain(&self.idle).map(Ticks::last).max().unwrap_or(0)
     }
 
+    /// The time of the last edge of the first clock; 0 without clocks.
+    #[inline]
+    pub fn time_of_first(&self) -> u64 {
+        self.clocks.first().map_or(0, Ticks::last)
+    }
+
     /// The time of the next instant; `None` if that time does not fit in 64 bits.
     pub fn next_time(&self) -> Option<u64> {
         self.clocks.iter().chain(&self.idle).filter_map(Ticks::next).min()
@@ -54,6 +60,20 @@ impl Timeline {
     /// The number of edges that a clock has had.
     pub fn cycles(&self, clock: usize) -> u64 {
         self.clocks[clock].cycles
+    }
+
+    /// How many edges each clock has had, or what stands in for a clock.
+    pub fn cycles_of_all(&self) -> Vec<u64> {
+        self.clocks.iter().chain(&self.idle).map(|ticks| ticks.cycles).collect()
+    }
+
+    /// The same clocks after so many edges of each; `None` if a time does not fit.
+    pub fn with_cycles(&self, cycles: &[u64]) -> Option<Timeline> {
+        let mut timeline = self.clone();
+        for (ticks, &cycles) in timeline.clocks.iter_mut().chain(&mut timeline.idle).zip(cycles) {
+            ticks.cycles = Some(cycles).filter(|&cycles| cycles <= ticks.most)?;
+        }
+        Some(timeline)
     }
 
     /// Notes that `edges` edges of the only clock are done.

@@ -9,7 +9,7 @@ use tilewright_hdl::{
     when,
 };
 use tilewright_sim::program::hierarchy;
-use tilewright_sim::{EngineKind, Simulation, Vcd};
+use tilewright_sim::{Checkpoint, EngineKind, Error, Simulation, Vcd};
 
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
@@ -143,6 +143,49 @@ fn names(sim: &Simulation<RowIn, RowOut>) -> (Vec<String>, Vec<String>) {
     (signals, memories)
 }
 
+/// Does what a testbench does in this action.
+fn perform(sim: &mut Simulation<RowIn, RowOut>, act: &Act) -> Result<(), Error> {
+    match act {
+        Act::Drive { enable, x, wide, pick } => {
+            let wide = Bits::from_limbs(70, &[*wide as u64, (*wide >> 64) as u64]);
+            let [enable, x, pick] = [(1, *enable), (8, *x), (3, *pick)].map(|(width, value)| Bits::new(width, value));
+            sim.drive_bits(RowIn { enable, x, wide, pick });
+        }
+        Act::Step => sim.try_step()?,
+        Act::Run(n) => sim.try_run(*n)?,
+        Act::RunUntil(later) => sim.try_run_to(sim.time() + later)?,
+        Act::Ticks(fast, ticks) => {
+            // An assertion panics here: with these inputs none fails.
+            let enable = sim.peek("enable").unwrap();
+            sim.set(sim.i.enable, 0);
+            sim.set(sim.i.pick, 1);
+            if *fast {
+                sim.step_clock(FAST, *ticks);
+            } else {
+                sim.step_clock("slow_clk", *ticks);
+            }
+            sim.set(sim.i.enable, &enable);
+        }
+        Act::Reset => sim.try_reset()?,
+        Act::Poke { lane, address, word } => {
+            sim.poke_memory(&format!("u_cell[{lane}].store"), *address, *word).unwrap();
+        }
+        Act::PeekAll => {}
+    }
+    Ok(())
+}
+
+/// The value of every name, and the words of every memory.
+fn everything(sim: &mut Simulation<RowIn, RowOut>) -> Vec<String> {
+    let (signals, memories) = names(sim);
+    let mut seen: Vec<String> = signals.iter().map(|name| format!("{name} = {:?}", sim.peek(name).unwrap())).collect();
+    for name in &memories {
+        let words = (0..5).map(|address| sim.peek_memory(name, address).unwrap());
+        seen.push(format!("{name} = {:?}", words.collect::<Vec<_>>()));
+    }
+    seen
+}
+
 /// Everything seen during these actions on an engine.
 fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act]) -> Vec<String> {
     let mut sim = Simulation::of(&row).unwrap().on(kind).seeded(seed);
@@ -166,44 +209,13 @@ fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act
     let mut seen = Vec::new();
     for act in acts {
         let result = match act {
-            Act::Drive { enable, x, wide, pick } => {
-                let wide = Bits::from_limbs(70, &[*wide as u64, (*wide >> 64) as u64]);
-                let [enable, x, pick] =
-                    [(1, *enable), (8, *x), (3, *pick)].map(|(width, value)| Bits::new(width, value));
-                sim.drive_bits(RowIn { enable, x, wide, pick });
-                Ok(())
-            }
-            Act::Step => sim.try_step(),
-            Act::Run(n) => sim.try_run(*n),
-            Act::RunUntil(later) => sim.try_run_to(sim.time() + later),
-            Act::Ticks(fast, ticks) => {
-                // An assertion panics here: with these inputs none fails.
-                let enable = sim.peek("enable").unwrap();
-                sim.set(sim.i.enable, 0);
-                sim.set(sim.i.pick, 1);
-                if *fast {
-                    sim.step_clock(FAST, *ticks);
-                } else {
-                    sim.step_clock("slow_clk", *ticks);
-                }
-                sim.set(sim.i.enable, &enable);
-                Ok(())
-            }
-            Act::Reset => sim.try_reset(),
             // A recording accepts no more of them.
             Act::Poke { .. } if recording.is_some() && sim.time() > 0 => Ok(()),
-            Act::Poke { lane, address, word } => {
-                sim.poke_memory(&format!("u_cell[{lane}].store"), *address, *word).unwrap();
-                Ok(())
-            }
             Act::PeekAll => {
-                seen.extend(signals.iter().map(|name| format!("{name} = {:?}", sim.peek(name).unwrap())));
-                for name in &memories {
-                    let words = (0..5).map(|address| sim.peek_memory(name, address).unwrap());
-                    seen.push(format!("{name} = {:?}", words.collect::<Vec<_>>()));
-                }
+                seen.extend(everything(&mut sim));
                 Ok(())
             }
+            act => perform(&mut sim, act),
         };
         seen.push(format!(
             "{act:?} at {}: {}",
@@ -243,5 +255,100 @@ proptest! {
         acts in prop::collection::vec(act(), 1..40),
     ) {
         assert_alike(Row { lanes }, seed, observed, &acts);
+    }
+}
+
+/// Another engine goes on from a checkpoint as the first one does.
+fn assert_goes_on(kinds: [EngineKind; 2], seed: u64, before: &[Act], after: &[Act]) {
+    let row = Row { lanes: 4 };
+    let [mut sim, mut other] = kinds.map(|kind| Simulation::of(&row).unwrap().on(kind).seeded(seed));
+    for act in before {
+        let _ = perform(&mut sim, act);
+    }
+    let checkpoint = sim.checkpoint();
+    let mut file = Vec::new();
+    checkpoint.write(&mut file).unwrap();
+    // The other one has been elsewhere.
+    let _ = perform(&mut other, &Act::Drive { enable: 1, x: 3, wide: 9, pick: 2 });
+    let _ = other.try_run(5);
+    let read = Checkpoint::read(&file[..], &other).unwrap();
+    assert_eq!(read, checkpoint);
+    other.restore(&read).unwrap();
+    assert_eq!((everything(&mut other), other.time()), (everything(&mut sim), sim.time()));
+    assert_eq!(other.checkpoint(), checkpoint);
+    for act in after {
+        let results = [&mut sim, &mut other].map(|sim| perform(sim, act).map_err(|error| error.to_string()));
+        assert_eq!(results[0], results[1], "{act:?}");
+        assert_eq!(everything(&mut other), everything(&mut sim), "{act:?}");
+    }
+    assert_same(&sim.checkpoint(), &other.checkpoint());
+}
+
+/// Where these actions went, everything is there again as it was.
+fn assert_remembers(kind: EngineKind, (bytes, instants): (usize, u64), acts: &[Act], places: &[usize]) {
+    let mut sim = Simulation::of(&Row { lanes: 4 }).unwrap().on(kind);
+    sim.remember_often(bytes, instants);
+    let mut was = vec![(0, everything(&mut sim))];
+    // `Ticks` gives other inputs at the time at which it begins.
+    for act in acts.iter().filter(|act| !matches!(act, Act::Ticks(..))) {
+        let _ = perform(&mut sim, act);
+        if was.last().is_some_and(|(time, _)| *time == sim.time()) {
+            was.pop();
+        }
+        was.push((sim.time(), everything(&mut sim)));
+    }
+    let (present, end) = (sim.time(), sim.checkpoint());
+    for place in places {
+        let (time, expected) = &was[place % was.len()];
+        match sim.go_to(*time) {
+            Ok(()) => assert_eq!((sim.time(), &everything(&mut sim)), (*time, expected)),
+            Err(Error::Unremembered(_)) => assert!(bytes < 10_000),
+            Err(error) => panic!("{error}"),
+        }
+    }
+    sim.go_to(present).unwrap();
+    assert_same(&sim.checkpoint(), &end);
+    // Another future, from the last place on, is that of a simulation that was never there.
+    let mut other = Simulation::of(&Row { lanes: 4 }).unwrap().on(kind);
+    if sim.go_to(was[places[0] % was.len()].0).is_ok() {
+        other.restore(&sim.checkpoint()).unwrap();
+        let apart = Act::Drive { enable: 1, x: 5, wide: 1 << 65, pick: 3 };
+        for act in [&apart].into_iter().chain(acts) {
+            let _ = [&mut sim, &mut other].map(|sim| perform(sim, act).is_ok());
+        }
+        assert_same(&sim.checkpoint(), &other.checkpoint());
+    }
+}
+
+#[track_caller]
+fn assert_same(one: &Checkpoint, other: &Checkpoint) {
+    let differences = one.differences(other);
+    assert!(differences.is_empty() && one == other, "{one:?}, {other:?}: {differences:?}");
+}
+
+const ALL: [EngineKind; 4] = [EngineKind::Reference, EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Both];
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_engine_goes_on_from_a_checkpoint_of_any_other(
+        kinds in (0..4usize, 0..4usize),
+        seed in prop_oneof![Just(0), 1..99u64],
+        before in prop::collection::vec(act(), 0..20),
+        after in prop::collection::vec(act(), 1..20),
+    ) {
+        assert_goes_on([ALL[kinds.0], ALL[kinds.1]], seed, &before, &after);
+    }
+
+    #[test]
+    fn a_simulation_goes_back_to_where_it_was(
+        kind in 0..4usize,
+        bytes in prop_oneof![Just(1 << 30), 500..10_000usize],
+        instants in 1..9u64,
+        acts in prop::collection::vec(act(), 1..40),
+        places in prop::collection::vec(any::<usize>(), 1..12),
+    ) {
+        assert_remembers(ALL[kind], (bytes, instants), &acts, &places);
     }
 }

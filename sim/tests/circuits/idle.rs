@@ -6,7 +6,7 @@ use tilewright_hdl::{
 };
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-use crate::circuits::random::{Random, campaign};
+use crate::circuits::random::{Again, Random, campaign};
 
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
@@ -166,11 +166,12 @@ fn run(seed: u64) -> u64 {
     };
     let engines = [EngineKind::Reference, EngineKind::Compiled, EngineKind::Compiled, EngineKind::Both];
     let mut all: Vec<_> = engines.into_iter().zip([false, false, true, false]).map(on).collect();
-    let mut x = 0;
+    let (mut x, mut again) = (0, Again::default());
     for step in 0..40 {
         x = if random.below(3) == 0 { random.below(4) } else { x };
         let (go, quick) = (u64::from(random.below(8) == 0), u64::from(step / 4 % 2 == 1));
         let (way, instants, word) = (random.below(20), random.one(&[1, 7, 40, 300, 1000]), random.below(256));
+        again.go_on(&mut all, step, way == 19);
         let seen: Vec<_> = all
             .iter_mut()
             .map(|sim| {

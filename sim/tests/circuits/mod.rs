@@ -19,6 +19,7 @@ mod looking_on;
 mod many_operands;
 mod nested;
 mod packed;
+mod past;
 mod quiet;
 mod random;
 mod resets;

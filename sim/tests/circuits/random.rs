@@ -1,4 +1,6 @@
-//! Random numbers that are the same every time.
+//! Random numbers that are the same every time, and random ways of machines that they choose.
+
+use tilewright_sim::{Checkpoint, Simulation};
 
 /// Random numbers: xorshift.
 pub struct Random(u64);
@@ -32,4 +34,28 @@ pub fn campaign(name: &str, run: impl Fn(u64) -> u64) {
 fn number(name: &str) -> u64 {
     let text = std::env::var(name).unwrap_or_else(|_| panic!("{name} says no number"));
     text.parse().unwrap_or_else(|_| panic!("{name} is no number: {text}"))
+}
+
+/// A state that simulations go back to.
+#[derive(Default)]
+pub struct Again(Option<Checkpoint>);
+
+impl Again {
+    /// In one step of four it keeps the state of one simulation; in another step all go back to it, if they are to.
+    pub fn go_on(&mut self, all: &mut [Simulation], step: usize, goes_back: bool) {
+        match &self.0 {
+            Some(checkpoint) if goes_back => {
+                for sim in all {
+                    sim.restore(checkpoint).unwrap();
+                    // Its inputs alone decide what comes next; an assertion fails on all engines or on none.
+                    let _ = sim.try_run(40);
+                }
+            }
+            _ if step % 4 == 1 => {
+                let of = step / 4 % all.len();
+                self.0 = Some(all[of].checkpoint());
+            }
+            _ => {}
+        }
+    }
 }

@@ -6,7 +6,7 @@ use tilewright_hdl::{
 };
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-use crate::circuits::random::{Random, campaign};
+use crate::circuits::random::{Again, Random, campaign};
 
 bundle! {
     struct LaneIn<T> { go: T, x: T, own: T }
@@ -205,12 +205,13 @@ fn run(seed: u64) -> u64 {
     passes.longest = random.one(&[500, 30]);
     let on = |kind| Simulation::with_passes(&design, &passes).unwrap().seeded(seed % 3).on(kind);
     let mut all = [EngineKind::Reference, EngineKind::Compiled, EngineKind::Both].map(on);
-    let mut go = 0;
+    let (mut go, mut again) = (0, Again::default());
     for step in 0..60 {
         go = if random.below(3) == 0 { random.below(32) } else { go * random.below(2) };
         let (x, edges, way) =
             (random.below(if step < 30 { 256 } else { 2 }), random.one(&[1, 1, 1, 3, 20, 150]), random.below(12));
         let (lane, word) = (random.below(5) as u32, random.below(256));
+        again.go_on(&mut all, step, way == 11);
         let seen = all.each_mut().map(|sim| {
             let ports = [sim.port("go").unwrap(), sim.port("x").unwrap()];
             sim.set(ports[0], go);

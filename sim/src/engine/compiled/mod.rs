@@ -50,8 +50,9 @@ use std::sync::Arc;
 use crate::engine::fields::{self, Fields, Parts};
 use crate::engine::pack::{self, Packed, Places};
 use crate::engine::program::{Program, Triggers, ValueId};
+use crate::engine::start::State;
 use crate::engine::until::Until;
-use crate::engine::{Beginning, Difference, Done, Engine, Failed, Ticks, one_by_one, renew_each};
+use crate::engine::{Beginning, Difference, Done, Engine, Failed, Saved, Ticks, one_by_one, renew_each};
 use bank::Bank;
 use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
@@ -320,6 +321,10 @@ impl Engine for Compiled {
         self.word_of_parts(memory, lane, address)
     }
 
+    fn all_words(&self, program: &Program, memory: u32, out: &mut Vec<u64>) {
+        self.all_words_of_parts(memory, &program.memories[memory as usize], out);
+    }
+
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         self.set_word_in_parts(memory, lane, address, limbs);
         self.wake();
@@ -337,6 +342,17 @@ impl Engine for Compiled {
             self.wake_clocks();
             self.change(Triggers::state(clock));
         }
+    }
+
+    fn restore(&mut self, program: &Program, saved: &Saved) {
+        saved.for_each_lane(program, |id, lane, limbs| self.set(id, lane..lane + 1, limbs));
+        saved.for_each_word(program, |memory, lane, address, limbs| {
+            self.set_word_in_parts(memory, lane, address, limbs);
+        });
+        self.input_changed(Triggers::ALL, true);
+        self.wake();
+        self.wake_clocks();
+        self.change(Triggers::ALL);
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {

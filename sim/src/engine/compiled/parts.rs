@@ -6,7 +6,7 @@ use tilewright_hdl::{Bits, limbs_for, top_mask};
 
 use super::Compiled;
 use crate::engine::fields::Part;
-use crate::engine::program::ValueId;
+use crate::engine::program::{Memory, ValueId};
 use crate::engine::start::State;
 
 impl Compiled {
@@ -21,6 +21,38 @@ impl Compiled {
             }
         }
         word.expect("a word has a part").limbs().to_vec()
+    }
+
+    /// Appends all words of a memory of the description, whose lanes have so many of this width.
+    pub(super) fn all_words_of_parts(&self, memory: u32, declared: &Memory, out: &mut Vec<u64>) {
+        let (first, limbs) = (out.len(), limbs_for(declared.width));
+        out.resize(first + declared.lanes as usize * declared.depth as usize * limbs, 0);
+        let mut low = 0;
+        for &Part { of, piece } in &self.parts.memories[memory as usize] {
+            for within in 0..piece.lanes {
+                let mut words = out[first..].chunks_exact_mut(limbs);
+                let mut part = vec![0; limbs_for(piece.each())];
+                for lane in 0..declared.lanes {
+                    for (address, word) in (0..declared.depth).zip(&mut words) {
+                        self.read_stored(of, lane * piece.lanes + within, address, &mut part);
+                        put_bits(word, low, &part);
+                    }
+                }
+                low += piece.each();
+            }
+        }
+    }
+
+    /// Reads a lane's word of a memory that code uses.
+    fn read_stored(&self, memory: u32, lane: u32, address: u32, limbs: &mut [u64]) {
+        let lanes = self.bits.memories.get(&memory).copied();
+        let at = self.memories[memory as usize];
+        let place = at.at(lane / lanes.unwrap_or(1), address);
+        self.banks[at.bank].get_word(place, at.words.word, at.width, limbs);
+        limbs[0] ^= at.blank;
+        if let Some(lanes) = lanes {
+            limbs[0] = limbs[0] >> (lane % lanes) & 1;
+        }
     }
 
     /// Replaces a word of a memory of the description.
@@ -99,6 +131,17 @@ impl State for Compiled {
                         .for_each(|address| self.set_bits(part.of, range.clone(), lanes, address, limbs[0])),
                 }
             }
+        }
+    }
+}
+
+/// Sets bits from `low` on, which are zero, to those of `part`.
+fn put_bits(word: &mut [u64], low: u32, part: &[u64]) {
+    let (first, shift) = (low as usize / 64, low % 64);
+    for (index, &limb) in part.iter().enumerate() {
+        word[first + index] |= limb << shift;
+        if shift > 0 && limb >> (64 - shift) != 0 {
+            word[first + index + 1] |= limb >> (64 - shift);
         }
     }
 }

@@ -15,7 +15,7 @@ use tilewright_hdl::limbs_for;
 use crate::engine::program::{Cell, Kind, Memory, Program, Readers, Triggers, ValueId};
 use crate::engine::semantics::{self, Number};
 use crate::engine::start::{self, Beginning, State};
-use crate::engine::{self, Difference, Done, Failed};
+use crate::engine::{self, Difference, Done, Failed, Saved};
 
 /// The state of a running circuit.
 #[derive(Debug, Clone)]
@@ -207,6 +207,14 @@ impl engine::Engine for Engine {
 
     fn set_reset(&mut self, clock: usize, high: bool) {
         self.set_reset(clock, high);
+    }
+
+    fn restore(&mut self, program: &Program, saved: &Saved) {
+        saved.for_each_lane(program, |id, lane, limbs| self.set(id, lane..lane + 1, limbs));
+        saved.for_each_word(program, |memory, lane, address, limbs| {
+            self.set_words(memory, lane..lane + 1, address..address + 1, limbs);
+        });
+        (self.pending, self.stale) = (Triggers::ALL, vec![true; self.stale.len()]);
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {

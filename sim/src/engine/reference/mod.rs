@@ -12,7 +12,7 @@ use tilewright_hdl::limbs_for;
 use crate::engine::program::{Kind, Memory, Program, Triggers, ValueId};
 use crate::engine::semantics::{self, Number};
 use crate::engine::start::{self, Beginning, State};
-use crate::engine::{self, Difference, Done, Failed, Word};
+use crate::engine::{self, Difference, Done, Failed, Saved, Word};
 
 /// The state of a running circuit.
 #[derive(Debug, Clone)]
@@ -157,6 +157,11 @@ impl engine::Engine for Engine {
         for register in program.reset_at_once(clock, high) {
             start::reset(&program, register, self);
         }
+    }
+
+    fn restore(&mut self, program: &Program, saved: &Saved) {
+        saved.for_each_lane(program, |id, lane, limbs| self.set(id, lane..lane + 1, limbs));
+        saved.for_each_word(program, |memory, lane, address, limbs| self.set_word(memory, lane, address, limbs));
     }
 
     fn check(&mut self, rising: &[usize]) -> Vec<Failed> {
