@@ -155,7 +155,7 @@ fn what_a_page_shows_of_a_block_is_in_that_block() {
     let page = include_str!("../../docs/decisions/lines.md");
     let mut pieces = page.split("```rust\n");
     let mut before = pieces.next().unwrap();
-    let (mut count, root) = (0, concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    let (mut count, root) = (0, concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     for piece in pieces {
         let file =
             before.trim_end().strip_suffix("`:").and_then(|named| named.rsplit_once('`')).expect("a file is named").1;

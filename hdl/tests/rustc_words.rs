@@ -368,7 +368,7 @@ fn compile(text: &str) -> String {
         .arg(folder.path())
         .arg(&source)
         // The places of the library are relative to the workspace.
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
         .output()
         .unwrap();
     String::from_utf8_lossy(&output.stderr).into_owned()

@@ -127,7 +127,7 @@ pub fn problems<B: Block>(block: &B) -> String {
         let (before, after) = line.split_once("hdl/tests/messages/")?;
         let mut after = after.split(':');
         let (file, number) = (after.next()?, after.next()?.parse::<usize>().ok()?);
-        let path = format!("{}/tests/messages/{file}", env!("CARGO_MANIFEST_DIR"));
+        let path = format!("{}/messages/{file}", env!("CARGO_MANIFEST_DIR"));
         let source = std::fs::read_to_string(path).expect("the place is in a file of these tests");
         Some(format!("{before}[{}]", source.lines().nth(number - 1)?.trim()))
     };
