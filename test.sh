@@ -84,6 +84,17 @@ fi
 export PATH=$PATH:${HOME:-}/.local/bin
 # The tools are installed while the tests are built. Only their run needs them.
 install_tools &
-cargo test --workspace --no-run "$@" || { status=$? && wait && exit $status; }
+# Without arguments the examples of packages are left to `cargo clippy --all-targets`: the tests that run them have them inside.
+tests=(cargo test --workspace)
+[ $# -gt 0 ] || tests+=(--lib --bins --tests)
+"${tests[@]}" --no-run "$@" || { status=$? && wait && exit $status; }
 wait $!
-cargo test --workspace "$@"
+[ $# = 0 ] || exec "${tests[@]}" "$@"
+# Examples of the documentation run beside the tests, whose programs each end with a long test on one processor.
+documentation=$(mktemp)
+cargo test --workspace --doc >"$documentation" 2>&1 &
+status=0
+"${tests[@]}" || status=$?
+wait $! || status=$?
+cat "$documentation" && rm "$documentation"
+exit $status
