@@ -54,6 +54,27 @@ mod tests {
     }
 
     #[test]
+    fn back_to_where_it_was() -> Result<(), tilewright_sim::Error> {
+        let mut sim = Simulation::of(&Echo { clocks_per_bit: 16, depth: 4 })?;
+        sim.remember(64 << 20); // bytes
+        sim.set(sim.i.rx, 1);
+        let (i, o) = (sim.i, sim.o);
+        let t = &sim.testbench();
+        t.run((far_end::sends(t, i.rx, b'T', 16), far_end::receives(t, o.tx, 16)));
+
+        // The echo is over. When was its line low for the last time?
+        let time = sim.run_until_back(sim.o.tx.is(0))?;
+        assert_eq!(time, Some(3_010_000));
+
+        let low = sim.checkpoint();
+        sim.step();
+        let changed = sim.checkpoint().differences(&low);
+        assert_eq!(changed[0].to_string(), "`u_sender.u_transmitter.line`: 1'h1, and 1'h0");
+        assert_eq!(changed[1].to_string(), "`u_sender.u_transmitter.u_ticks.clock`: 4'h1, and 4'h0");
+        Ok(())
+    }
+
+    #[test]
     fn two_engines_side_by_side() -> Result<(), tilewright_sim::Error> {
         let mut sim = Simulation::of(&Echo { clocks_per_bit: 16, depth: 4 })?.on(EngineKind::Both);
         sim.run(100); // ends with `Error::Differs` at the first signal in which they are not alike
