@@ -199,13 +199,11 @@ impl I2cMaster {
         def!(begins = without_bus & command.action.is(I2cAction::Start) & !skips);
 
         def!(count = m.reg(below(low.max(high))).reset(0));
-        def!(
-            done = choose!(phase, Phase {
-                Free | Wait | Own | Rise => 1,
-                Low | End => count.eq(low - 1),
-                Begin | High => count.eq(high - 1) | !scl.level,
-            })
-        );
+        def! { done = choose!(phase, Phase {
+            Free | Wait | Own | Rise => 1,
+            Low | End => count.eq(low - 1),
+            Begin | High => count.eq(high - 1) | !scl.level,
+        }) }
         count.when(done, 0).otherwise(count + 1);
         def!(place = m.reg(up_to(9)).reset(0));
         def!(is_last = place.eq(8));

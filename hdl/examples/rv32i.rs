@@ -77,31 +77,27 @@ impl Core {
         let is_other = instruction.bit(30);
         let amount = operand.trunc(5);
         def!(operation = funct3.code::<Operation>());
-        def!(
-            computed = choose!(operation, Operation {
-                Add => mux(computes_with_register & is_other, left - operand, left + operand),
-                ShiftLeft => left << amount,
-                Less => left.signed().lt(operand.signed()).zext(32),
-                LessUnsigned => left.lt(operand).zext(32),
-                Xor => left ^ operand,
-                ShiftRight => mux(is_other, (left.signed() >> amount).bits(), left >> amount),
-                Or => left | operand,
-                And => left & operand,
-            })
-        );
+        def! { computed = choose!(operation, Operation {
+            Add => mux(computes_with_register & is_other, left - operand, left + operand),
+            ShiftLeft => left << amount,
+            Less => left.signed().lt(operand.signed()).zext(32),
+            LessUnsigned => left.lt(operand).zext(32),
+            Xor => left ^ operand,
+            ShiftRight => mux(is_other, (left.signed() >> amount).bits(), left >> amount),
+            Or => left | operand,
+            And => left & operand,
+        }) }
 
         // Branches: equal, less, less unsigned, or the reverse.
         let less = [(2, left.signed().lt(right.signed())), (3, left.lt(right))];
         def!(taken = case(funct3.part(1, 2), less, left.eq(right)) ^ funct3.bit(0));
         def!(following = pc + 4);
-        def!(
-            target = choose!(opcode, Opcode {
-                Jump => pc + immediate.j,
-                JumpRegister => cat![(left + immediate.i).part(1, 31), lit(1, 0)],
-                Branch => mux(taken, pc + immediate.b, following),
-                _ => following,
-            })
-        );
+        def! { target = choose!(opcode, Opcode {
+            Jump => pc + immediate.j,
+            JumpRegister => cat![(left + immediate.i).part(1, 31), lit(1, 0)],
+            Branch => mux(taken, pc + immediate.b, following),
+            _ => following,
+        }) }
         pc.when(!stopped, target);
 
         // Loads and stores of 1, 2 or 4 bytes.
@@ -119,15 +115,13 @@ impl Core {
         def!(written = (cat![those, those] << offset).part(4, 4));
         memory.write(opcode.is(Opcode::Store) & !stopped & written.unpack(4), places(address), bytes.unpack(4));
 
-        def!(
-            result = choose!(opcode, Opcode {
-                Load => loaded,
-                LoadUpper => immediate.u,
-                AddToPc => pc + immediate.u,
-                Jump | JumpRegister => following,
-                _ => computed,
-            })
-        );
+        def! { result = choose!(opcode, Opcode {
+            Load => loaded,
+            LoadUpper => immediate.u,
+            AddToPc => pc + immediate.u,
+            Jump | JumpRegister => following,
+            _ => computed,
+        }) }
         let has_none = [Opcode::Store, Opcode::Branch, Opcode::Fence, Opcode::System].map(|none| opcode.is(none));
         let to = instruction.part(7, 5);
         registers.write(!stopped & to.ne(0) & !stack(has_none).or_all(), to, result);

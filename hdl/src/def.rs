@@ -50,6 +50,29 @@ use crate::names::unraw;
 /// assert_eq!(example.values("count"), [0, 1, 2, 0, 1, 2]);
 /// assert_eq!(example.values("at_end"), [0, 0, 1, 0, 0, 1]);
 /// ```
+///
+/// A choice by code takes several lines. In braces its name stays on the first of them, because rustfmt leaves what is
+/// in braces as it is. Only [`choose!`](crate::choose!) is written so: rustfmt does not format its arms in any case.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// codes! { enum Step { Up, Down } }
+///
+/// def!(count = m.reg(4).reset(0));
+/// def!(step = m.fsm(Step::Up));
+/// step.next(|step| match step {
+///     Step::Up => when(count.eq(2), Step::Down),
+///     Step::Down => when(count.eq(1), Step::Up),
+/// });
+/// def! { following = choose!(step, Step {
+///     Up => count + 1,
+///     Down => count - 1,
+/// }) }
+/// count.next(following);
+/// # });
+/// assert_eq!(example.values("following"), [1, 2, 3, 2, 1, 0, 1]);
+/// ```
 #[macro_export]
 macro_rules! def {
     ($name:ident = $m:ident $(.on($clock:expr))? .reg($($given:tt)*) $($then:tt)*) => {

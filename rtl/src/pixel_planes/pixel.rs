@@ -117,13 +117,11 @@ impl PixelProcessor {
         let c = i.control;
         def!(memory = m.memory(PixelProcessor::BITS, bit(), ReadUnderWrite::Any));
         def!(word = memory.read_async(c.read));
-        def!(
-            operand = choose!(c.source, Source {
-                Expression => i.expression,
-                Memory => word,
-                Constant => c.constant,
-            })
-        );
+        def! { operand = choose!(c.source, Source {
+            Expression => i.expression,
+            Memory => word,
+            Constant => c.constant,
+        }) }
 
         def!(carry = m.reg(bit()));
         def!(carried = carry & !c.first);
@@ -131,29 +129,25 @@ impl PixelProcessor {
         def!(result = operand ^ (c.adds & (word ^ carried)));
 
         def!(enable = m.reg(bit()));
-        def!(
-            enabled = choose!(c.enabling, Enabling {
-                Keep => enable,
-                Set => 1,
-                Clear => 0,
-                Replace => !i.expression,
-                Restrict => enable & !i.expression,
-            })
-        );
+        def! { enabled = choose!(c.enabling, Enabling {
+            Keep => enable,
+            Set => 1,
+            Clear => 0,
+            Replace => !i.expression,
+            Restrict => enable & !i.expression,
+        }) }
         enable.next(enabled);
 
         def!(flag = m.reg(bit()));
         def!(is_less = mux(operand.eq(word), flag & !c.first, word));
         flag.when(c.captures, enabled).when(c.compares, is_less & (enable | !c.gates));
 
-        def!(
-            writes = choose!(c.mask, Mask {
-                Nobody => 0,
-                Everybody => 1,
-                Enabled => enable,
-                Flagged => flag,
-            })
-        );
+        def! { writes = choose!(c.mask, Mask {
+            Nobody => 0,
+            Everybody => 1,
+            Enabled => enable,
+            Flagged => flag,
+        }) }
         memory.write(writes, c.write, result);
         PixelProcessorOut { word }
     }

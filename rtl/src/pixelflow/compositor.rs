@@ -89,13 +89,11 @@ impl Compositor {
         def!(nearer = mux(state.is(Nearer::Equal), select(differ, Nearer::Equal), state));
         states.write(i.advances, i.pixel, nearer);
 
-        def!(
-            takes_own = choose!(i.mode, Mode {
-                Forward | Unload => 0,
-                Load => 1,
-                Composite => nearer.is(Nearer::Own),
-            })
-        );
+        def! { takes_own = choose!(i.mode, Mode {
+            Forward | Unload => 0,
+            Load => 1,
+            Composite => nearer.is(Nearer::Own),
+        }) }
         CompositorOut { downstream: m.pipe_when(i.advances, "downstream", mux(takes_own, i.own, i.upstream)) }
     }
 }

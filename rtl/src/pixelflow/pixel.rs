@@ -213,74 +213,60 @@ impl PixelProcessor {
         def!(accumulator = m.reg(bits(8)));
         def!(carry = m.reg(bit()));
         def!(flag = m.reg(bit()));
-        def!(
-            operand = choose!(c.source, Source {
-                Constant => c.constant,
-                Expression => i.expression,
-                Accumulator => accumulator,
-                Multiplicand => mux(*flag, *accumulator, 0),
-            })
-        );
-        def!(
-            carried = choose!(c.begin, Begin {
-                Kept => carry,
-                Zero => 0,
-                One => 1,
-            })
-        );
+        def! { operand = choose!(c.source, Source {
+            Constant => c.constant,
+            Expression => i.expression,
+            Accumulator => accumulator,
+            Multiplicand => mux(*flag, *accumulator, 0),
+        }) }
+        def! { carried = choose!(c.begin, Begin {
+            Kept => carry,
+            Zero => 0,
+            One => 1,
+        }) }
 
         // Sum and difference, with the carry of the top bits.
         def!(subtracts = c.function.is(Function::Subtract) | c.function.is(Function::Compare));
         def!(addend = mux(subtracts, !operand, operand));
         def!(sum = word + addend + carried.zext(8));
         def!(carry_out = ((word & addend) | ((word | addend) & !sum)).msb());
-        let left = cat![word.slice(0..7), carried];
-        let right = cat![carried, word.slice(1..8)];
-        def!(
-            result = choose!(c.function, Function {
-                Operand | Compare => operand,
-                Word => word,
-                Add | Subtract => sum,
-                And => word & operand,
-                Or => word | operand,
-                ExclusiveOr => word ^ operand,
-                ShiftLeft => left,
-                ShiftRight => right,
-                AddHalved => cat![carry_out, sum.slice(1..8)],
-            })
-        );
-        def!(
-            carry_next = choose!(c.function, Function {
-                Add | Subtract | Compare => carry_out,
-                ShiftLeft => word.msb(),
-                ShiftRight => word.bit(0),
-                AddHalved => sum.bit(0),
-                _ => carry,
-            })
-        );
+        def! { result = choose!(c.function, Function {
+            Operand | Compare => operand,
+            Word => word,
+            Add | Subtract => sum,
+            And => word & operand,
+            Or => word | operand,
+            ExclusiveOr => word ^ operand,
+            ShiftLeft => cat![word.slice(0..7), carried],
+            ShiftRight => cat![carried, word.slice(1..8)],
+            AddHalved => cat![carry_out, sum.slice(1..8)],
+        }) }
+        def! { carry_next = choose!(c.function, Function {
+            Add | Subtract | Compare => carry_out,
+            ShiftLeft => word.msb(),
+            ShiftRight => word.bit(0),
+            AddHalved => sum.bit(0),
+            _ => carry,
+        }) }
         carry.next(carry_next);
 
-        def!(
-            holds = choose!(c.condition, Condition {
-                Positive => !operand.msb(),
-                Carry => carry_next,
-                NoCarry => !carry_next,
-            })
-        );
+        def! { holds = choose!(c.condition, Condition {
+            Positive => !operand.msb(),
+            Carry => carry_next,
+            NoCarry => !carry_next,
+        }) }
         def!(enters = mux(c.by_sign, !i.expression.msb(), holds));
         let stack = m.reg("enable", bits(self.depth));
         let (top, next, rest) = (stack.bit(0), stack.bit(1), stack.slice(1..self.depth));
-        def!(
-            enables = choose!(c.enabling, Enabling {
-                Keep => stack,
-                Set => cat![rest, lit(1, 1)],
-                Replace => cat![rest, enters],
-                Restrict => cat![rest, top & enters],
-                Push => cat![stack.slice(0..self.depth - 1), top & enters],
-                Invert => cat![rest, next & !top],
-                Pop => cat![stack.msb(), rest],
-            })
-        );
+        def! { enables = choose!(c.enabling, Enabling {
+            Keep => stack,
+            Set => cat![rest, lit(1, 1)],
+            Replace => cat![rest, enters],
+            Restrict => cat![rest, top & enters],
+            Push => cat![stack.slice(0..self.depth - 1), top & enters],
+            Invert => cat![rest, next & !top],
+            Pop => cat![stack.msb(), rest],
+        }) }
         stack.next(enables);
         flag.next(choose!(c.flagging, Flagging {
             Keep => flag,
@@ -288,14 +274,12 @@ impl PixelProcessor {
             EnabledCondition => holds & top,
         }));
 
-        def!(
-            writes = choose!(c.mask, Mask {
-                Nobody => 0,
-                Everybody => 1,
-                Enabled => top,
-                Flagged => flag,
-            })
-        );
+        def! { writes = choose!(c.mask, Mask {
+            Nobody => 0,
+            Everybody => 1,
+            Enabled => top,
+            Flagged => flag,
+        }) }
         accumulator.when(writes & c.accumulates, result);
         def!(stores = writes & c.stores);
         memory.write(stores & !is_register(c.write), in_memory(c.write), result);

@@ -40,9 +40,9 @@ module pixel_processor (
     localparam [2:0] ENABLING_REPLACE = 3'd3;
     // Not used here: ENABLING_RESTRICT = 4.
 
-    reg carry;                                                   // rtl/src/pixel_planes/pixel.rs:128
-    reg enable;                                                  // rtl/src/pixel_planes/pixel.rs:133
-    reg flag;                                                    // rtl/src/pixel_planes/pixel.rs:145
+    reg carry;                                                   // rtl/src/pixel_planes/pixel.rs:126
+    reg enable;                                                  // rtl/src/pixel_planes/pixel.rs:131
+    reg flag;                                                    // rtl/src/pixel_planes/pixel.rs:141
 
     (* no_rw_check *)
     reg memory [0:207];                                          // rtl/src/pixel_planes/pixel.rs:118
@@ -56,9 +56,9 @@ module pixel_processor (
             default: operand = control_constant; // SOURCE_CONSTANT
         endcase
     end
-    wire carried = carry & !control_first;                       // rtl/src/pixel_planes/pixel.rs:129
-    wire result = operand ^ (control_adds & (word ^ carried));   // rtl/src/pixel_planes/pixel.rs:131
-    reg enabled;                                                 // rtl/src/pixel_planes/pixel.rs:134
+    wire carried = carry & !control_first;                       // rtl/src/pixel_planes/pixel.rs:127
+    wire result = operand ^ (control_adds & (word ^ carried));   // rtl/src/pixel_planes/pixel.rs:129
+    reg enabled;                                                 // rtl/src/pixel_planes/pixel.rs:132
     always @* begin
         case (control_enabling)
             ENABLING_KEEP: enabled = enable;
@@ -68,8 +68,8 @@ module pixel_processor (
             default: enabled = enable & !expression; // ENABLING_RESTRICT
         endcase
     end
-    wire is_less = (operand == word) ? (flag & !control_first) : word; // rtl/src/pixel_planes/pixel.rs:146
-    reg writes;                                                  // rtl/src/pixel_planes/pixel.rs:149
+    wire is_less = (operand == word) ? (flag & !control_first) : word; // rtl/src/pixel_planes/pixel.rs:142
+    reg writes;                                                  // rtl/src/pixel_planes/pixel.rs:145
     always @* begin
         case (control_mask)
             MASK_NOBODY: writes = 1'b0;

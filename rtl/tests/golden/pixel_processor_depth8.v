@@ -71,7 +71,7 @@ module pixel_processor_depth8 (
     reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:213
     reg carry;                                                   // rtl/src/pixelflow/pixel.rs:214
     reg flag;                                                    // rtl/src/pixelflow/pixel.rs:215
-    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:271
+    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:259
 
     (* no_rw_check *)
     reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:211
@@ -90,7 +90,7 @@ module pixel_processor_depth8 (
             end
         endcase
     end
-    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:224
+    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:222
     always @* begin
         case (control_begin)
             BEGIN_KEPT: carried = carry;
@@ -98,11 +98,11 @@ module pixel_processor_depth8 (
             default: carried = 1'b1; // BEGIN_ONE
         endcase
     end
-    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:233
-    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:234
-    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:235
-    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:236
-    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:236
+    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:229
+    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:230
+    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:231
+    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:232
+    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:232
     always @* begin
         case (control_function)
             FUNCTION_WORD: result = word;
@@ -117,7 +117,7 @@ module pixel_processor_depth8 (
             default: result = operand;
         endcase
     end
-    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:252
+    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:244
     always @* begin
         case (control_function)
             FUNCTION_ADD: carry_next = carry_out;
@@ -129,7 +129,7 @@ module pixel_processor_depth8 (
             default: carry_next = carry;
         endcase
     end
-    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:263
+    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:253
     always @* begin
         case (control_condition)
             CONDITION_POSITIVE: holds = !operand[7];
@@ -137,8 +137,8 @@ module pixel_processor_depth8 (
             default: holds = !carry_next; // CONDITION_NO_CARRY
         endcase
     end
-    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:270
-    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:273
+    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:258
+    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:261
     always @* begin
         case (control_enabling)
             ENABLING_KEEP: enables = enable;
@@ -150,7 +150,7 @@ module pixel_processor_depth8 (
             default: enables = {enable[7], enable[7:1]}; // ENABLING_POP
         endcase
     end
-    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:291
+    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:277
     always @* begin
         case (control_mask)
             MASK_NOBODY: writes = 1'b0;
@@ -159,8 +159,8 @@ module pixel_processor_depth8 (
             default: writes = flag; // MASK_FLAGGED
         endcase
     end
-    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:300
-    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:302
+    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:284
+    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:286
 
     always @(posedge clk) begin
         if (stores & !control_write[8]) memory[control_write[7:0]] <= result;

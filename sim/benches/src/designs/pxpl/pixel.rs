@@ -59,13 +59,11 @@ impl Pixel {
         def!(word = memory.read_async(i.read));
         def!(carried = carry & !i.first);
         let is = |operation| i.operation.is(operation);
-        def!(
-            value = choose!(i.operation, Operation {
-                Add => sum ^ word ^ carried,
-                Copy => word,
-                _ => sum,
-            })
-        );
+        def! { value = choose!(i.operation, Operation {
+            Add => sum ^ word ^ carried,
+            Copy => word,
+            _ => sum,
+        }) }
 
         sum_carry.when(i.rst, 0).otherwise(majority(i.x, i.y, sum_carried));
         carry.when(i.rst, 0).when(is(Operation::Add), majority(sum, word, carried));
