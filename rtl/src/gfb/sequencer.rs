@@ -27,10 +27,8 @@ use crate::prelude::*;
 /// The clocks with `enable` from a scan counter's pixel to the word that its local frame buffer sends.
 pub const SCAN_LATENCY: u32 = 2;
 
-codes! {
-    /// The parts of the scan.
-    enum Scan { Restart, Prime, Line, Overhead }
-}
+// The parts of the scan.
+codes! { enum Scan { Restart, Prime, Line, Overhead } }
 
 block! {
     /// Scans the screen continuously, and paces a chain of merging units.

@@ -22,10 +22,8 @@
 
 use crate::prelude::*;
 
-codes! {
-    /// The clocks of an access.
-    enum Stage2 { Idle, Read, Compare, Write }
-}
+// The clocks of an access.
+codes! { enum Stage2 { Idle, Read, Compare, Write } }
 
 block! {
     /// Stores two buffers of pages of pixels: keeps the nearer word of each pixel drawn, and clears each word that it

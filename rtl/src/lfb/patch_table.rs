@@ -27,10 +27,8 @@ use crate::prelude::*;
 /// The clocks that a clear takes.
 const CLEAR_CLOCKS: u64 = 3;
 
-codes! {
-    /// The states of a look-up.
-    enum Stage1 { Idle, Read, Examine, Allocate, Found, Overflow }
-}
+// The states of a look-up.
+codes! { enum Stage1 { Idle, Read, Examine, Allocate, Found, Overflow } }
 
 block! {
     /// Gives each patch of the screen a page of image memory on its first access, separately for the front buffer and
@@ -46,9 +44,12 @@ block! {
     source = "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)";
     in(self) PatchTableIn {
         /// A request for the page of a patch.
-        look_up: stream(Wanted::widths(self.patches)).on(PE),
+        look_up: stream(pub struct Wanted {
+            /// The number of the patch.
+            patch: below(self.patches),
+        }).on(PE),
         /// A request to clear an entry. If a look-up is accepted at the same edge, the clear comes first.
-        clear: stream(Wanted::widths(self.patches)).on(PE),
+        clear: stream(Wanted { patch: below(self.patches) }).on(PE),
         /// The front buffer, 0 or 1.
         front: bit().on(PE),
         /// The scan has left the front buffer.
@@ -88,14 +89,6 @@ block! {
     }
 }
 
-record! {
-    /// The patch of a processor's request for a page, or to clear an entry.
-    pub struct Wanted(patches: u32) {
-        /// The number of the patch.
-        patch: below(patches),
-    }
-}
-
 impl PatchTable {
     fn build(&self, m: Module, i: PatchTableIn) -> PatchTableOut {
         use Stage1::*;
@@ -116,8 +109,8 @@ impl PatchTable {
         let layout = Entry { resident: bit(), page: below(self.pages) };
         def!(entries = m.memory(2 * self.patches, layout, ReadUnderWrite::Any).fill(0));
         def!(address = cat![mux(clear.taken, clear.patch, patch), i.front]);
-        def!(read = m.wire(bit()));
-        def!(entry = entries.on(PE).read_when(*read, address));
+        def!(read = stage1.is(Read) & table_free);
+        def!(entry = entries.on(PE).read_when(read, address));
 
         def!(allocate = stage1.is(Allocate));
         let taking = PageIdGeneratorIn { restart: i.restart, take: allocate };
@@ -130,7 +123,6 @@ impl PatchTable {
             Found => when(look_up.taken, Read).or_else(Idle),
             Overflow => when(i.resume, Read),
         });
-        read.drive(moves.leaves(Read));
         m.cover("a look-up finds no free page", moves.enters(Overflow));
 
         def!(page = m.pipe_when(stage1.is(Examine), mux(entry.resident, entry.page, page_id_generator.page)));

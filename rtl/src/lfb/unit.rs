@@ -51,7 +51,7 @@ block! {
         /// A pixel that the processor draws.
         request: stream(Request::widths(self.patches.screen())).on(PE),
         /// A patch table entry that the processor clears. If a request is accepted at the same edge, the clear comes first.
-        clear: stream(Wanted::widths(self.patches.count())).on(PE),
+        clear: stream(Wanted { patch: below(self.patches.count()) }).on(PE),
         /// For one clock, when idle or in overflow: swap the buffers.
         swap: bit().on(PE),
         /// For one clock: try the waiting request again.

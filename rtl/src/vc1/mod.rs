@@ -58,7 +58,7 @@ record! {
         /// A pixel to draw.
         request: stream(Request::widths(lfb.patches.screen())).on(PE),
         /// A patch table entry to clear.
-        clear: stream(Wanted::widths(lfb.patches.count())).on(PE),
+        clear: stream(Wanted { patch: below(lfb.patches.count()) }).on(PE),
         /// A word for the bus.
         sends: stream(BusWord).on(PE),
         /// The processor has drawn its frame.

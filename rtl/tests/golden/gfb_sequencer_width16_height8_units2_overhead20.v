@@ -5,7 +5,7 @@
 // Parameters  GfbSequencer { screen: Screen { width: 16, height: 8 }, units: 2, overhead: 20 }
 // Latency     rounds with a period of 288 clocks
 // Source      VC-1, section 3.3, T_m and the free-running scan (VC1-TM, VC1-FREE, VC1-CLR3)
-// Described   rtl/src/gfb/sequencer.rs:35
+// Described   rtl/src/gfb/sequencer.rs:33
 `default_nettype none
 
 module gfb_sequencer_width16_height8_units2_overhead20 (
@@ -30,20 +30,20 @@ module gfb_sequencer_width16_height8_units2_overhead20 (
     localparam [1:0] SCAN_LINE      = 2'd2;
     localparam [1:0] SCAN_OVERHEAD  = 2'd3;
 
-    reg [1:0] part;                                              // rtl/src/gfb/sequencer.rs:97
-    reg [3:0] x;                                                 // rtl/src/gfb/sequencer.rs:99
-    reg [2:0] y;                                                 // rtl/src/gfb/sequencer.rs:100
-    reg [4:0] clocks_left;                                       // rtl/src/gfb/sequencer.rs:101
-    reg [3:0] way_left;                                          // rtl/src/gfb/sequencer.rs:126
+    reg [1:0] part;                                              // rtl/src/gfb/sequencer.rs:95
+    reg [3:0] x;                                                 // rtl/src/gfb/sequencer.rs:97
+    reg [2:0] y;                                                 // rtl/src/gfb/sequencer.rs:98
+    reg [4:0] clocks_left;                                       // rtl/src/gfb/sequencer.rs:99
+    reg [3:0] way_left;                                          // rtl/src/gfb/sequencer.rs:124
 
-    wire restarts = restart | (part == SCAN_RESTART_2);          // rtl/src/gfb/sequencer.rs:98
-    wire part_ends = clocks_left == 5'd0;                        // rtl/src/gfb/sequencer.rs:102
-    wire line_ends = (part == SCAN_LINE) & (x == 4'd15);         // rtl/src/gfb/sequencer.rs:103
-    wire enable = (part == SCAN_PRIME) | (part == SCAN_LINE);    // rtl/src/gfb/sequencer.rs:118
-    wire round_ends = enable & (feed == 7'd127);                 // rtl/src/gfb/sequencer.rs:120
-    wire is_stale = way_left != 4'd0;                            // rtl/src/gfb/sequencer.rs:127
-    assign stores = enable & !is_stale;                          // rtl/src/gfb/sequencer.rs:129
-    assign stale = enable & is_stale;                            // rtl/src/gfb/sequencer.rs:138
+    wire restarts = restart | (part == SCAN_RESTART_2);          // rtl/src/gfb/sequencer.rs:96
+    wire part_ends = clocks_left == 5'd0;                        // rtl/src/gfb/sequencer.rs:100
+    wire line_ends = (part == SCAN_LINE) & (x == 4'd15);         // rtl/src/gfb/sequencer.rs:101
+    wire enable = (part == SCAN_PRIME) | (part == SCAN_LINE);    // rtl/src/gfb/sequencer.rs:116
+    wire round_ends = enable & (feed == 7'd127);                 // rtl/src/gfb/sequencer.rs:118
+    wire is_stale = way_left != 4'd0;                            // rtl/src/gfb/sequencer.rs:125
+    assign stores = enable & !is_stale;                          // rtl/src/gfb/sequencer.rs:127
+    assign stale = enable & is_stale;                            // rtl/src/gfb/sequencer.rs:136
 
     always @(posedge clk) begin
         if (restarts | line_ends) x <= 4'd0;
@@ -107,7 +107,7 @@ module gfb_sequencer_width16_height8_units2_overhead20 (
 `endif
 
 `ifndef SYNTHESIS
-    reg [7:0] fed;                                               // rtl/src/gfb/sequencer.rs:133
+    reg [7:0] fed;                                               // rtl/src/gfb/sequencer.rs:131
 
     always @(posedge clk) begin
         if (rst) fed <= 8'd0;
@@ -117,9 +117,9 @@ module gfb_sequencer_width16_height8_units2_overhead20 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (blank == (fed <= 8'd127));                 // rtl/src/gfb/sequencer.rs:135
-        if (!rst) cover (round_ends & blank);                        // rtl/src/gfb/sequencer.rs:136
-        if (!rst) cover (round_ends & !blank);                       // rtl/src/gfb/sequencer.rs:137
+        if (!rst) assert (blank == (fed <= 8'd127));                 // rtl/src/gfb/sequencer.rs:133
+        if (!rst) cover (round_ends & blank);                        // rtl/src/gfb/sequencer.rs:134
+        if (!rst) cover (round_ends & !blank);                       // rtl/src/gfb/sequencer.rs:135
     end
 `else
     reg is_covered;
@@ -127,17 +127,17 @@ module gfb_sequencer_width16_height8_units2_overhead20 (
     reg is_covered_2;
     initial is_covered_2 = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(blank == (fed <= 8'd127))) begin               // rtl/src/gfb/sequencer.rs:135
+        if (!rst && !(blank == (fed <= 8'd127))) begin               // rtl/src/gfb/sequencer.rs:133
             $display("FAIL: time %0t: %m: blank pixels enter in the first round after a restart, and in no other", $time);
             stop;
         end
-        if (!rst && (round_ends & blank) && !is_covered) begin       // rtl/src/gfb/sequencer.rs:136
+        if (!rst && (round_ends & blank) && !is_covered) begin       // rtl/src/gfb/sequencer.rs:134
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a first round ends", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!rst && (round_ends & !blank) && !is_covered_2) begin    // rtl/src/gfb/sequencer.rs:137
+        if (!rst && (round_ends & !blank) && !is_covered_2) begin    // rtl/src/gfb/sequencer.rs:135
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a later round ends", $time);
             `endif

@@ -6,7 +6,7 @@
 // Parameters  ImageMemory { pages: 4, page_pixels: 16 }
 // Latency     3 clocks of the processor to draw, 1 clock of the merger to send
 // Source      VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)
-// Described   rtl/src/lfb/image_memory.rs:30
+// Described   rtl/src/lfb/image_memory.rs:28
 `default_nettype none
 
 module image_memory_pages4_page_pixels16 (
@@ -35,28 +35,28 @@ module image_memory_pages4_page_pixels16 (
     localparam [1:0] STAGE2_COMPARE = 2'd2;
     localparam [1:0] STAGE2_WRITE   = 2'd3;
 
-    reg [1:0] stage2;                                            // rtl/src/lfb/image_memory.rs:85
-    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:98
-    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:99
-    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:101
-    reg resident;                                                // rtl/src/lfb/image_memory.rs:108
+    reg [1:0] stage2;                                            // rtl/src/lfb/image_memory.rs:83
+    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:96
+    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:97
+    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:99
+    reg resident;                                                // rtl/src/lfb/image_memory.rs:106
 
     /* verilator lint_off MULTIDRIVEN */ // written by two clocks
-    reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:83
+    reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:81
     /* verilator lint_on MULTIDRIVEN */
-    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:100
-    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:106
+    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:98
+    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:104
 
     initial begin : words_contents
         integer i;
         for (i = 0; i < 128; i = i + 1) words[i] = 48'hffffffffffff;
     end
 
-    wire begins = ((stage2 == STAGE2_IDLE) & draw_valid) | ((stage2 == STAGE2_WRITE) & draw_valid); // rtl/src/lfb/image_memory.rs:92
-    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:104
-    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:105
-    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:109
-    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:109
+    wire begins = ((stage2 == STAGE2_IDLE) & draw_valid) | ((stage2 == STAGE2_WRITE) & draw_valid); // rtl/src/lfb/image_memory.rs:90
+    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:102
+    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:103
+    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:107
+    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:107
 
     always @(posedge pe_clk) begin
         if ((stage2 == STAGE2_WRITE) & nearer) words[drawn_address] <= drawn_word;
@@ -117,11 +117,11 @@ module image_memory_pages4_page_pixels16 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!draw_valid | begins);                  // rtl/src/lfb/image_memory.rs:93
+        if (!pe_rst) assume (!draw_valid | begins);                  // rtl/src/lfb/image_memory.rs:91
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!draw_valid | begins)) begin                // rtl/src/lfb/image_memory.rs:93
+        if (!pe_rst && !(!draw_valid | begins)) begin                // rtl/src/lfb/image_memory.rs:91
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pixel comes only when the second stage is idle or in its last clock", $time);
             stop;
         end

@@ -6,7 +6,7 @@
 // Parameters  PatchTable { patches: 8, pages: 4 }
 // Latency     3 clocks for a patch with a page, otherwise 4
 // Source      VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)
-// Described   rtl/src/lfb/patch_table.rs:35
+// Described   rtl/src/lfb/patch_table.rs:33
 `default_nettype none
 
 module patch_table_patches8_pages4 (
@@ -46,42 +46,42 @@ module patch_table_patches8_pages4 (
     localparam [2:0] STAGE1_FOUND    = 3'd4;
     localparam [2:0] STAGE1_OVERFLOW = 3'd5;
 
-    reg [2:0] stage1;                                            // rtl/src/lfb/patch_table.rs:103
-    reg [1:0] clearing;                                          // rtl/src/lfb/patch_table.rs:105
-    reg [2:0] patch;                                             // rtl/src/lfb/patch_table.rs:113
+    reg [2:0] stage1;                                            // rtl/src/lfb/patch_table.rs:96
+    reg [1:0] clearing;                                          // rtl/src/lfb/patch_table.rs:98
+    reg [2:0] patch;                                             // rtl/src/lfb/patch_table.rs:106
 
     (* no_rw_check *)
-    reg [2:0] entries [0:15];                                    // rtl/src/lfb/patch_table.rs:117
-    reg [2:0] entry;                                             // rtl/src/lfb/patch_table.rs:120
-    reg [2:0] scan_entry;                                        // rtl/src/lfb/patch_table.rs:138
+    reg [2:0] entries [0:15];                                    // rtl/src/lfb/patch_table.rs:110
+    reg [2:0] entry;                                             // rtl/src/lfb/patch_table.rs:113
+    reg [2:0] scan_entry;                                        // rtl/src/lfb/patch_table.rs:130
 
     initial begin : entries_contents
         integer i;
         for (i = 0; i < 16; i = i + 1) entries[i] = 3'd0;
     end
 
-    wire [1:0] u_page_id_generator_page;                         // rtl/src/lfb/patch_table.rs:124
-    wire u_page_id_generator_exhausted;                          // rtl/src/lfb/patch_table.rs:124
+    wire [1:0] u_page_id_generator_page;                         // rtl/src/lfb/patch_table.rs:117
+    wire u_page_id_generator_exhausted;                          // rtl/src/lfb/patch_table.rs:117
 
-    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:104
-    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:104
-    wire can_accept = idle | found;                              // rtl/src/lfb/patch_table.rs:109
-    assign look_up_ready = can_accept;                           // rtl/src/lfb/patch_table.rs:110
-    wire cleared = clearing == 2'd0;                             // rtl/src/lfb/patch_table.rs:106
-    wire table_free = cleared & settled;                         // rtl/src/lfb/patch_table.rs:108
-    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:104
-    assign clear_ready = table_free & (can_accept | overflow);   // rtl/src/lfb/patch_table.rs:111
-    wire look_up_taken = look_up_valid & can_accept;             // rtl/src/lfb/patch_table.rs:110
-    wire clear_taken = clear_valid & clear_ready;                // rtl/src/lfb/patch_table.rs:111
-    wire [3:0] address = {clear_taken ? clear_patch : patch, front}; // rtl/src/lfb/patch_table.rs:118
-    wire read = (stage1 == STAGE1_READ) & table_free;            // rtl/src/lfb/patch_table.rs:119
-    wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:120
-    wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:120
-    wire allocate = stage1 == STAGE1_ALLOCATE;                   // rtl/src/lfb/patch_table.rs:122
-    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:138
-    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:138
+    assign idle = stage1 == STAGE1_IDLE;                         // rtl/src/lfb/patch_table.rs:97
+    assign found = stage1 == STAGE1_FOUND;                       // rtl/src/lfb/patch_table.rs:97
+    wire can_accept = idle | found;                              // rtl/src/lfb/patch_table.rs:102
+    assign look_up_ready = can_accept;                           // rtl/src/lfb/patch_table.rs:103
+    wire cleared = clearing == 2'd0;                             // rtl/src/lfb/patch_table.rs:99
+    wire table_free = cleared & settled;                         // rtl/src/lfb/patch_table.rs:101
+    assign overflow = stage1 == STAGE1_OVERFLOW;                 // rtl/src/lfb/patch_table.rs:97
+    assign clear_ready = table_free & (can_accept | overflow);   // rtl/src/lfb/patch_table.rs:104
+    wire look_up_taken = look_up_valid & can_accept;             // rtl/src/lfb/patch_table.rs:103
+    wire clear_taken = clear_valid & clear_ready;                // rtl/src/lfb/patch_table.rs:104
+    wire [3:0] address = {clear_taken ? clear_patch : patch, front}; // rtl/src/lfb/patch_table.rs:111
+    wire read = (stage1 == STAGE1_READ) & table_free;            // rtl/src/lfb/patch_table.rs:112
+    wire entry_resident = entry[2];                              // rtl/src/lfb/patch_table.rs:113
+    wire [1:0] entry_page = entry[1:0];                          // rtl/src/lfb/patch_table.rs:113
+    wire allocate = stage1 == STAGE1_ALLOCATE;                   // rtl/src/lfb/patch_table.rs:115
+    assign scan_entry_resident = scan_entry[2];                  // rtl/src/lfb/patch_table.rs:130
+    assign scan_entry_page = scan_entry[1:0];                    // rtl/src/lfb/patch_table.rs:130
 
-    page_id_generator_pages4 u_page_id_generator (               // rtl/src/lfb/patch_table.rs:124
+    page_id_generator_pages4 u_page_id_generator (               // rtl/src/lfb/patch_table.rs:117
         .clk       (pe_clk),
         .rst       (pe_rst),
         .restart   (restart),
@@ -142,13 +142,13 @@ module patch_table_patches8_pages4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) cover ((stage1 == STAGE1_EXAMINE) & (!entry_resident & u_page_id_generator_exhausted)); // rtl/src/lfb/patch_table.rs:134
+        if (!pe_rst) cover ((stage1 == STAGE1_EXAMINE) & (!entry_resident & u_page_id_generator_exhausted)); // rtl/src/lfb/patch_table.rs:126
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge pe_clk) begin
-        if (!pe_rst && ((stage1 == STAGE1_EXAMINE) & (!entry_resident & u_page_id_generator_exhausted)) && !is_covered) begin // rtl/src/lfb/patch_table.rs:134
+        if (!pe_rst && ((stage1 == STAGE1_EXAMINE) & (!entry_resident & u_page_id_generator_exhausted)) && !is_covered) begin // rtl/src/lfb/patch_table.rs:126
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a look-up finds no free page", $time);
             `endif
