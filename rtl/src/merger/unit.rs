@@ -41,34 +41,21 @@ block! {
     }
 }
 
-bundle! {
-    /// The state of a comparison in a stage.
-    struct Race<T> {
-        left: T,
-        right: T,
-        /// The words differ in the bits compared so far.
-        decided: T,
-        /// Whether the right word is the smaller one, if they differ.
-        right_is_nearer: T,
-    }
-}
+// A comparison in a stage. `decided`: the words differ in the bits compared so far. If so, `right_is_nearer` says whether
+// the right word is the smaller one.
+bundle! { struct Race<T> { left: T, right: T, decided: T, right_is_nearer: T } }
 
 impl MergingUnit {
     fn build(&self, m: Module, i: MergingUnitIn) -> MergingUnitOut {
         let compare = |stage: u32, race: Race| {
-            let part = |word: Signal| word.part(WORD - stage * PART, PART);
-            let (left, right) = (part(race.left), part(race.right));
-            Race {
-                right_is_nearer: race.right_is_nearer | (!race.decided & right.lt(left)),
-                decided: race.decided | right.ne(left),
-                ..race
-            }
+            let [left, right] = [race.left, race.right].map(|word| word.part(WORD - stage * PART, PART));
+            let right_is_nearer = race.right_is_nearer | (!race.decided & right.lt(left));
+            Race { decided: race.decided | right.ne(left), right_is_nearer, ..race }
         };
         let start = Race { left: i.left, right: i.right, decided: lit(1, 0), right_is_nearer: lit(1, 0) };
         // The last stage registers only the chosen word, so it is not one of `stages`.
-        let race = m.stages(STAGES - 1, i.enable, start, compare);
-        let Race { left, right, right_is_nearer, .. } = compare(STAGES, race);
-        def!(nearer = m.pipe_when(i.enable, mux(right_is_nearer, right, left)));
+        let race = compare(STAGES, m.stages(STAGES - 1, i.enable, start, compare));
+        def!(nearer = m.pipe_when(i.enable, mux(race.right_is_nearer, race.right, race.left)));
         MergingUnitOut { nearer }
     }
 }

@@ -16,18 +16,18 @@ module merging_unit (
     output reg  [47:0] nearer  // The nearer pixel.
 );
 
-    reg [47:0] left1;                                            // rtl/src/merger/unit.rs:69
-    reg [47:0] right1;                                           // rtl/src/merger/unit.rs:69
-    reg decided1;                                                // rtl/src/merger/unit.rs:69
-    reg right_is_nearer1;                                        // rtl/src/merger/unit.rs:69
-    reg [47:0] left2;                                            // rtl/src/merger/unit.rs:69
-    reg [47:0] right2;                                           // rtl/src/merger/unit.rs:69
-    reg decided2;                                                // rtl/src/merger/unit.rs:69
-    reg right_is_nearer2;                                        // rtl/src/merger/unit.rs:69
-    reg [47:0] left3;                                            // rtl/src/merger/unit.rs:69
-    reg [47:0] right3;                                           // rtl/src/merger/unit.rs:69
-    reg decided3;                                                // rtl/src/merger/unit.rs:69
-    reg right_is_nearer3;                                        // rtl/src/merger/unit.rs:69
+    reg [47:0] left1;                                            // rtl/src/merger/unit.rs:57
+    reg [47:0] right1;                                           // rtl/src/merger/unit.rs:57
+    reg decided1;                                                // rtl/src/merger/unit.rs:57
+    reg right_is_nearer1;                                        // rtl/src/merger/unit.rs:57
+    reg [47:0] left2;                                            // rtl/src/merger/unit.rs:57
+    reg [47:0] right2;                                           // rtl/src/merger/unit.rs:57
+    reg decided2;                                                // rtl/src/merger/unit.rs:57
+    reg right_is_nearer2;                                        // rtl/src/merger/unit.rs:57
+    reg [47:0] left3;                                            // rtl/src/merger/unit.rs:57
+    reg [47:0] right3;                                           // rtl/src/merger/unit.rs:57
+    reg decided3;                                                // rtl/src/merger/unit.rs:57
+    reg right_is_nearer3;                                        // rtl/src/merger/unit.rs:57
 
     always @(posedge clk) begin
         if (enable) begin
