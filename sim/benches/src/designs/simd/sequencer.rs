@@ -1,45 +1,17 @@
 //! The source of the instructions: opcodes from a short program, operands from a random generator.
 
-use tilewright_hdl::{Module, bit, bits, block, case, mux};
+use tilewright_hdl::{Module, Signal, bit, bits, block, case, def, one_of};
 
-use super::instruction::{Instruction, Opcode, Opcode::*};
+use super::opcode::{Opcode, Opcode::*};
 use crate::word::xorshift;
 
 const SEED: u64 = 0x123_4567;
 
-const PROGRAM: [Opcode; 32] = [
-    Everybody,
-    Plane,
-    Store,
-    Add,
-    AddPlane,
-    IfAtLeast,
-    Subtract,
-    Store, //
-    Load,
-    Xor,
-    IfLess,
-    Plane,
-    Store,
-    Else,
-    AddConstant,
-    Store, //
-    Everybody,
-    Load,
-    And,
-    AddPlane,
-    Halve,
-    Store,
-    XorConstant,
-    IfAtLeast, //
-    Add,
-    Store,
-    Subtract,
-    IfLess,
-    AddPlane,
-    Store,
-    Nothing,
-    Xor,
+const PROGRAM: [[Opcode; 8]; 4] = [
+    [Everybody, Plane, Store, Add, AddPlane, IfAtLeast, Subtract, Store],
+    [Load, Xor, IfLess, Plane, Store, Else, AddConstant, Store],
+    [Everybody, Load, And, AddPlane, Halve, Store, XorConstant, IfAtLeast],
+    [Add, Store, Subtract, IfLess, AddPlane, Store, Nothing, Xor],
 ];
 
 block! {
@@ -49,7 +21,17 @@ block! {
         rst: bit(),
     }
     out SequencerOut {
-        instruction: Instruction = Instruction::widths(),
+        /// An instruction, in its two clocks.
+        instruction: pub struct Instruction {
+            /// The operand's address, a clock ahead of the rest.
+            read_address: bits(8),
+            /// The operation.
+            opcode: one_of::<Opcode>(),
+            /// The address of a result.
+            write_address: bits(8),
+            /// A constant.
+            constant: bits(8),
+        },
         /// The plane a x + b y + c, a clock after the address of the instruction's operand.
         plane: pub struct Plane {
             a: bits(8),
@@ -61,11 +43,11 @@ block! {
 
 impl Sequencer {
     fn build(&self, m: Module, i: SequencerIn) -> SequencerOut {
-        let (pc, random) = (m.reg("pc", 5), m.reg("random", 32));
-        pc.next(mux(i.rst, 0, pc + 1));
-        random.next(mux(i.rst, SEED, xorshift(*random)));
-        let program = (0..).zip(PROGRAM.map(|opcode| opcode as u64));
-        let opcode = case(*pc, program, tilewright_hdl::lit(4, 0));
+        def!(pc = m.reg(5));
+        def!(random = m.reg(32));
+        pc.when(i.rst, 0).otherwise(pc + 1);
+        random.when(i.rst, SEED).otherwise(xorshift(*random));
+        let opcode = case(*pc, (0..).zip(PROGRAM.into_iter().flatten()), Signal::from(Nothing));
         SequencerOut {
             instruction: Instruction {
                 read_address: random.slice(0..8),
