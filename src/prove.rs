@@ -9,9 +9,9 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Duration;
-use tilewright_hdl::Design;
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::ir::Directive;
+use tilewright_hdl::{Design, Period};
 use tilewright_prove::{Outcome, Proof, Prover, Run, Statement};
 use tilewright_sim::{Probe, Simulation};
 
@@ -26,6 +26,9 @@ Examples:
 
 Yosys makes formulas of the block's Verilog, and Z3 decides them. An assertion is proved by induction over k clocks, fails in a clock, or holds for as
 many clocks as were searched. Clock 0 is the first one. Where induction does not suffice, ABC, which comes with Yosys, searches an invariant. A cover is reached in a clock, or never.
+
+Where a block has several clocks, a statement is first proved for edges in any sequence, and so for all periods. If that is impossible, it is proved
+or searched with edges at the times of the periods, as in the simulator. All resets come together. A clock is here an instant with an edge.
 
 Inputs and the reset have any value that the block's assumptions allow. So has what starts without a value: registers without a reset, and memories
 of unknown contents. A larger --depth searches longer runs, and may prove more.
@@ -67,7 +70,7 @@ impl Prove {
         if self.json {
             terminal::print_json(&report(entry, &values, &design, &proof))?;
         } else {
-            terminal::print(&table(&proof))?;
+            terminal::print(&table(&proof, design.top().clocks.len()))?;
         }
         match shown {
             Some(run) => self.show_run(&design, run, waveform)?,
@@ -151,38 +154,50 @@ fn exit(proof: &Proof) -> Exit {
 }
 
 /// A line for each statement, and how many there are of each kind.
-fn table(proof: &Proof) -> String {
-    let rows: Vec<[String; 5]> = (1..).zip(&proof.statements).map(|(number, it)| row(number, it)).collect();
+fn table(proof: &Proof, clocks: usize) -> String {
+    let rows: Vec<[String; 5]> = (1..).zip(&proof.statements).map(|(number, it)| row(number, it, clocks)).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let [number, kind, result, message] = [0, 1, 2, 3].map(width);
     let mut text = String::new();
     for [a, b, c, d, place] in &rows {
         text += &format!("{a:>number$}  {b:kind$}  {c:result$}  {d:message$}  {place}\n");
     }
-    if let Some(clocks) = proof.ends_after {
-        text += &format!("the assumptions allow no run of more than {clocks} clocks: nothing later is searched\n");
+    if let Some(most) = proof.ends_after {
+        let unit = if clocks > 1 { "edges" } else { "clocks" };
+        text += &format!("the assumptions allow no run of more than {most} {unit}: nothing later is searched\n");
     }
     text
 }
 
-fn row(number: usize, statement: &Statement) -> [String; 5] {
+fn row(number: usize, statement: &Statement, clocks: usize) -> [String; 5] {
     let Statement { directive, message, loc, .. } = statement;
     let kind = if *directive == Directive::Cover { "cover" } else { "assert" };
     let place = format!("{}:{}", loc.file(), loc.line());
-    [number.to_string(), kind.to_owned(), result(statement), message.replace('\n', " "), place]
+    [number.to_string(), kind.to_owned(), result(statement, clocks), message.replace('\n', " "), place]
 }
 
 /// The result of a statement in words.
-fn result(statement: &Statement) -> String {
+fn result(statement: &Statement, clocks: usize) -> String {
     let is_cover = statement.directive == Directive::Cover;
     match &statement.outcome {
         Outcome::Proved { .. } if is_cover => "never reached".to_owned(),
-        Outcome::Proved { depth: Some(depth) } => format!("proved, k = {depth}"),
-        Outcome::Proved { depth: None } => "proved, invariant".to_owned(),
-        Outcome::Fails(run) if is_cover => format!("reached in clock {}", run.clock),
-        Outcome::Fails(run) => format!("fails in clock {}", run.clock),
-        Outcome::Holds { clocks } if is_cover => format!("not reached in {clocks} clocks"),
-        Outcome::Holds { clocks } => format!("holds for {clocks} clocks"),
+        Outcome::Proved { depth, needs_periods } => {
+            let by = depth.map_or_else(|| "invariant".to_owned(), |depth| format!("k = {depth}"));
+            format!("proved, {by}{}", if *needs_periods { ", these periods" } else { "" })
+        }
+        Outcome::Fails(run) => format!("{} {}", if is_cover { "reached" } else { "fails" }, when(run, clocks)),
+        Outcome::Holds { clocks: searched } => {
+            let unit = if clocks > 1 { "edges" } else { "clocks" };
+            format!("{} {searched} {unit}", if is_cover { "not reached in" } else { "holds for" })
+        }
+    }
+}
+
+/// When a run ends: in a clock, or at a time if there are several.
+fn when(run: &Run, clocks: usize) -> String {
+    match run.recording.steps.last().filter(|_| clocks > 1) {
+        Some(step) => format!("at {}", Period::ps(step.time_ps)),
+        None => format!("in clock {}", run.clock),
     }
 }
 
@@ -206,6 +221,8 @@ struct Row<'a> {
     result: &'static str,
     /// The clocks of the induction, or those that were searched; none where an invariant was found.
     depth: Option<u32>,
+    /// Whether it is proved for edges at the times of the clocks' periods alone.
+    needs_periods: bool,
     /// The seconds until this was found.
     seconds: f64,
     run: Option<RunReport<'a>>,
@@ -214,8 +231,10 @@ struct Row<'a> {
 /// The run at whose end an assertion fails, or a cover is reached.
 #[derive(Serialize)]
 struct RunReport<'a> {
-    /// The clock, from 0.
+    /// The clock, from 0; where there are several, the instant at which one or more of them have an edge.
     clock: u32,
+    /// Its time in picoseconds.
+    time_ps: u64,
     instance: &'a str,
     /// What starts with a value of its own: the words of each, in hexadecimal.
     initial: BTreeMap<&'a str, Vec<String>>,
@@ -238,7 +257,7 @@ fn report<'a>(entry: &'a Entry, values: &Values, design: &'a Design, proof: &'a 
 fn row_report<'a>(design: &'a Design, it: &'a Statement) -> Row<'a> {
     let is_cover = it.directive == Directive::Cover;
     let (result, depth, run) = match &it.outcome {
-        Outcome::Proved { depth } => (if is_cover { "never" } else { "proved" }, *depth, None),
+        Outcome::Proved { depth, .. } => (if is_cover { "never" } else { "proved" }, *depth, None),
         Outcome::Fails(run) => (if is_cover { "reached" } else { "fails" }, None, Some(run_report(design, run))),
         Outcome::Holds { clocks } => ("open", Some(*clocks), None),
     };
@@ -249,6 +268,7 @@ fn row_report<'a>(design: &'a Design, it: &'a Statement) -> Row<'a> {
         place: format!("{}:{}", it.loc.file(), it.loc.line()),
         result,
         depth,
+        needs_periods: matches!(it.outcome, Outcome::Proved { needs_periods: true, .. }),
         seconds: seconds(it.time),
         run,
     }
@@ -262,6 +282,7 @@ fn run_report<'a>(design: &'a Design, run: &'a Run) -> RunReport<'a> {
     let words = |words: &[tilewright_hdl::Bits]| words.iter().map(|word| format!("{word:x}")).collect();
     RunReport {
         clock: run.clock,
+        time_ps: steps.last().map_or(0, |step| step.time_ps),
         instance: &run.instance,
         initial: run.recording.initial.iter().map(|it| (it.path.as_str(), words(&it.words))).collect(),
         reset: steps.iter().map(|step| !step.resets.is_empty()).collect(),

@@ -1,7 +1,7 @@
 //! Induction: goals that held for some clocks, whatever came before, hold in the next one.
 
 use crate::model::Model;
-use crate::prover::Found;
+use crate::pass::Found;
 use crate::search::holds;
 use crate::solver::{Halt, Solver};
 
@@ -16,13 +16,15 @@ pub struct Induction<'a> {
 }
 
 impl<'a> Induction<'a> {
-    /// An induction that has not begun.
+    /// An induction that has not begun. The goals that are already proved hold in all clocks.
     ///
     /// # Errors
     ///
     /// The solver does not start.
-    pub fn new(solver: Solver<'a>, model: &'a Model) -> Result<Induction<'a>, Halt> {
-        let mut induction = Induction { solver, model, proved: Vec::new(), clocks: 0 };
+    pub fn new(solver: Solver<'a>, model: &'a Model, found: &[Found]) -> Result<Induction<'a>, Halt> {
+        let is_proved = |goal: &usize| matches!(found[*goal], Found::Proved(_) | Found::Implied);
+        let proved = (0..found.len()).filter(is_proved).collect();
+        let mut induction = Induction { solver, model, proved, clocks: 0 };
         induction.clock()?;
         Ok(induction)
     }

@@ -1,6 +1,7 @@
 //! Search for an invariant: a condition that holds at the start, stays true, and implies every assertion (IC3, also
 //! called property directed reachability). ABC finds it, bit by bit; it needs no number of clocks.
 
+use crate::edges::Edges;
 use crate::model::{read_and_flatten, run_yosys, unwritable, verilog_in};
 use crate::prepare::Prepared;
 use crate::process::run;
@@ -17,12 +18,12 @@ const MOST_SECONDS: u64 = 60;
 /// # Errors
 ///
 /// Yosys fails, or the watcher asks to stop.
-pub fn is_found(prepared: &Prepared, patience: &Patience) -> Result<bool, Halt> {
+pub fn is_found(prepared: &Prepared, edges: Edges, patience: &Patience) -> Result<bool, Halt> {
     let folder = tempfile::Builder::new().prefix("tilewright-").tempdir().map_err(unwritable)?;
-    let files = verilog_in(folder.path(), prepared)?;
+    let files = verilog_in(folder.path(), prepared, edges)?;
     let script = format!(
         "{}; delete t:$cover; delete -output; techmap; opt_clean; aigmap; opt_clean; write_aiger -zinit -I -B model.aig",
-        read_and_flatten(&files, &prepared.design.top().name)
+        read_and_flatten(&files, &prepared.design.top().name, edges)
     );
     run_yosys(folder.path(), &script, patience)?;
     let left = patience.end.map(|end| end.saturating_duration_since(Instant::now()).as_secs());

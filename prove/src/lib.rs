@@ -47,12 +47,15 @@
 //! ```
 
 mod answer;
+mod edges;
 mod error;
 mod formulas;
 mod induction;
 mod invariant;
+mod known;
 mod model;
 mod outcome;
+mod pass;
 mod places;
 mod prepare;
 mod process;

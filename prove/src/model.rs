@@ -1,6 +1,7 @@
 //! The formulas of a design, which Yosys makes of its Verilog.
 
 use crate::Error;
+use crate::edges::{Edges, INSTANTS};
 use crate::formulas::Formulas;
 use crate::places::{Places, places};
 use crate::prepare::Prepared;
@@ -47,18 +48,19 @@ pub enum GoalKind {
     Helper,
 }
 
-/// Makes the formulas of a design.
+/// Makes the formulas of a design whose clocks have these edges.
 ///
 /// # Errors
 ///
 /// Yosys is missing, or it fails.
-pub fn model(prepared: &Prepared, patience: &Patience) -> Result<Model, Halt> {
+pub fn model(prepared: &Prepared, edges: Edges, patience: &Patience) -> Result<Model, Halt> {
     let folder = tempfile::Builder::new().prefix("tilewright-").tempdir().map_err(unwritable)?;
     let mut files = verilog(&prepared.design);
     let places = places(&files);
+    edges.state(&prepared.design, &mut files);
     let ends = add_helpers(&mut files, &places);
     write(folder.path(), &files)?;
-    let read_all = read_and_flatten(&files, &prepared.design.top().name);
+    let read_all = read_and_flatten(&files, &prepared.design.top().name, edges);
     run_yosys(folder.path(), &format!("{read_all}; write_smt2 -stbv -wires {FORMULAS}"), patience)?;
     let text = std::fs::read_to_string(folder.path().join(FORMULAS)).map_err(unwritable)?;
     Ok(read(text, &places, &ends)?)
@@ -69,14 +71,16 @@ pub fn model(prepared: &Prepared, patience: &Patience) -> Result<Model, Halt> {
 /// # Errors
 ///
 /// They cannot be written.
-pub fn verilog_in(folder: &Path, prepared: &Prepared) -> Result<Vec<VerilogFile>, Error> {
-    let files = verilog(&prepared.design);
+pub fn verilog_in(folder: &Path, prepared: &Prepared, edges: Edges) -> Result<Vec<VerilogFile>, Error> {
+    let mut files = verilog(&prepared.design);
+    edges.state(&prepared.design, &mut files);
     write(folder, &files)?;
     Ok(files)
 }
 
 fn write(folder: &Path, files: &[VerilogFile]) -> Result<(), Error> {
-    files.iter().try_for_each(|file| std::fs::write(folder.join(&file.name), &file.text)).map_err(unwritable)
+    let files = files.iter().map(|file| (&*file.name, &*file.text)).chain([INSTANTS]);
+    files.into_iter().try_for_each(|(name, text)| std::fs::write(folder.join(name), text)).map_err(unwritable)
 }
 
 pub fn unwritable(error: std::io::Error) -> Error {
@@ -85,12 +89,13 @@ pub fn unwritable(error: std::io::Error) -> Error {
 
 /// The commands that make one module of the files, without memories. Passes that could choose a value for something
 /// undefined are left out, and what is undefined has any value.
-pub fn read_and_flatten(files: &[VerilogFile], top: &str) -> String {
+pub fn read_and_flatten(files: &[VerilogFile], top: &str, edges: Edges) -> String {
     let sources = sources(files).join(" ");
+    let (memories, registers) = (edges.of_memories(), edges.of_registers());
     format!(
         "read_verilog -formal {WITH_MODELS} {sources}; hierarchy -check -top {top}; proc; flatten; \
-         opt_expr -keepdc; opt_clean; memory_collect; memory_map; opt_expr -keepdc; opt_clean; chformal -early; \
-         async2sync; dffunmap; setundef -undriven -anyseq; opt_clean"
+         opt_expr -keepdc; opt_clean; memory_collect; {memories} memory_map; opt_expr -keepdc; opt_clean; \
+         chformal -early; {registers}; setundef -undriven -anyseq; opt_clean"
     )
 }
 

@@ -25,7 +25,7 @@ pub struct Proof {
 /// # use tilewright_hdl::{Loc, ir::Directive};
 /// # let statement = Statement {
 /// #     directive: Directive::Assert, message: "it counts".to_owned(), module: "counter".to_owned(),
-/// #     loc: Loc::caller(), outcome: Outcome::Proved { depth: Some(1) }, time: std::time::Duration::ZERO,
+/// #     loc: Loc::caller(), outcome: Outcome::Proved { depth: Some(1), needs_periods: false }, time: std::time::Duration::ZERO,
 /// # };
 /// assert!(statement.outcome.is_settled() && !statement.fails());
 /// ```
@@ -53,7 +53,7 @@ impl Statement {
     /// # use tilewright_hdl::{Loc, ir::Directive};
     /// # let statement = Statement {
     /// #     directive: Directive::Cover, message: "it is full".to_owned(), module: "queue".to_owned(),
-    /// #     loc: Loc::caller(), outcome: Outcome::Proved { depth: Some(1) }, time: std::time::Duration::ZERO,
+    /// #     loc: Loc::caller(), outcome: Outcome::Proved { depth: Some(1), needs_periods: false }, time: std::time::Duration::ZERO,
     /// # };
     /// // It is proved of the cover that its event never happens.
     /// assert!(statement.fails());
@@ -80,6 +80,9 @@ pub enum Outcome {
     Proved {
         /// The number of clocks of the induction, 0 if it is constant; `None` if an invariant was found instead.
         depth: Option<u32>,
+        /// Whether it is proved for edges at the times of the clocks' periods alone. Otherwise it holds for all
+        /// sequences of edges.
+        needs_periods: bool,
     },
     /// It does not hold at the end of this run: the assertion fails, or the cover is reached.
     Fails(Run),
@@ -94,7 +97,7 @@ impl Outcome {
     /// Whether it is known for all time.
     ///
     /// ```
-    /// assert!(tilewright_prove::Outcome::Proved { depth: Some(2) }.is_settled());
+    /// assert!(tilewright_prove::Outcome::Proved { depth: Some(2), needs_periods: false }.is_settled());
     /// ```
     pub fn is_settled(&self) -> bool {
         !matches!(self, Outcome::Holds { .. })

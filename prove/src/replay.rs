@@ -1,6 +1,7 @@
 //! From the solver's values to a recording, which the simulator replays.
 
 use crate::answer::value;
+use crate::edges::{Edges, instants};
 use crate::model::Model;
 use crate::prepare::Stated;
 use crate::solver::{Halt, Solver};
@@ -13,6 +14,7 @@ use tilewright_sim::{Covered, Simulation};
 
 /// What a run is made with.
 pub struct Replayer<'a> {
+    pub edges: Edges,
     pub design: &'a Design,
     pub model: &'a Model,
     pub start: &'a Start,
@@ -35,24 +37,24 @@ impl Replayer<'_> {
     /// The recording of the solver's model.
     fn recording(&self, solver: &mut Solver, last: u32) -> Result<Recording, Halt> {
         let top = self.design.top();
-        let period = top.clocks.first().and_then(|clock| clock.period).map_or(10_000, |period| period.picoseconds());
+        let with_reset: Vec<usize> = (0..top.clocks.len()).filter(|&it| top.clocks[it].reset.is_some()).collect();
         let mut steps = Vec::new();
-        for clock in 0..=last {
+        for (at, (time_ps, rising)) in (0..=last).zip(instants(&top.clocks)) {
             let inputs = top.inputs.iter().map(|port| (port.name.clone(), width(top, port.node))).collect();
             let outputs = top.outputs.iter().map(|port| (port.name.clone(), width(top, port.node))).collect();
             steps.push(Step {
-                time_ps: period * (u64::from(clock) + 1),
-                rising: (0..top.clocks.len()).collect(),
-                resets: if self.is_in_reset(solver, clock)? { vec![0] } else { vec![] },
-                inputs: self.wires(solver, clock, inputs)?,
-                outputs: self.wires(solver, clock, outputs)?,
+                time_ps,
+                rising,
+                resets: if self.is_in_reset(solver, at)? { with_reset.clone() } else { vec![] },
+                inputs: self.wires(solver, at, inputs)?,
+                outputs: self.wires(solver, at, outputs)?,
             });
         }
         Ok(Recording { steps, initial: self.initial(solver)? })
     }
 
-    fn is_in_reset(&self, solver: &mut Solver, clock: u32) -> Result<bool, Halt> {
-        match in_reset(self.design, solver, clock) {
+    fn is_in_reset(&self, solver: &mut Solver, at: u32) -> Result<bool, Halt> {
+        match in_reset(self.design, solver, at) {
             Some(active) => Ok(solver.values(&[active])?[0][0]),
             None => Ok(false),
         }
@@ -123,9 +125,10 @@ fn width(module: &Module, node: NodeId) -> u32 {
     module.width(node) * module.shape(node).lanes()
 }
 
-/// Whether the reset is active in a clock, as an expression; `None` if there is no reset.
+/// Whether the reset is active in a clock, as an expression; `None` if there is no reset. Several resets are active
+/// together.
 pub fn in_reset(design: &Design, solver: &Solver, clock: u32) -> Option<String> {
-    let port = design.top().clocks.first()?;
+    let port = design.top().clocks.iter().find(|port| port.reset.is_some())?;
     let level = solver.of(&format!("n {}", port.reset.as_ref()?), clock);
     Some(if port.kind.is_active_low() { format!("(not {level})") } else { level })
 }

@@ -1,8 +1,9 @@
 //! The base case: the first clocks from the start.
 
+use crate::edges::Edges;
 use crate::model::{Goal, GoalKind, Model};
+use crate::pass::Found;
 use crate::prepare::Stated;
-use crate::prover::Found;
 use crate::replay::{Replayer, in_reset};
 use crate::solver::{Halt, Solver};
 
@@ -45,13 +46,14 @@ impl<'a> Search<'a> {
         if !self.solver.is_possible(&[])? {
             return Ok(false);
         }
-        for kind in [GoalKind::Assertion, GoalKind::Cover, GoalKind::Helper] {
-            while self.find(at, kind, found)? {}
-        }
-        // A run ends where an assertion fails.
+        while self.find(at, GoalKind::Assertion, found)? {}
+        // A run ends where an assertion fails. The simulator counts no cover there.
         for goal in self.model().goals.iter().filter(|goal| goal.kind == GoalKind::Assertion) {
             let holds = holds(&self.solver, goal, at);
             self.solver.assert(&holds)?;
+        }
+        for kind in [GoalKind::Cover, GoalKind::Helper] {
+            while self.find(at, kind, found)? {}
         }
         Ok(true)
     }
@@ -78,6 +80,8 @@ impl<'a> Search<'a> {
             for ((index, goal), _) in open.iter().zip(&values).filter(|(_, holds)| !holds[0]) {
                 found[*index] = match kind {
                     GoalKind::Helper => Found::NoHelp,
+                    // The simulator has the edges of the periods alone.
+                    _ if self.replayer.edges == Edges::Any => Found::NoHelp,
                     _ => Found::Run(Box::new(self.replayer.run(&mut self.solver, at, &self.stated[goal.number])?)),
                 };
             }

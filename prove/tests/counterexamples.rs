@@ -208,3 +208,25 @@ fn a_reset_may_come_at_any_time() {
         assert_eq!(runs.collect::<Vec<_>>(), [(1, true), (5, false)], "{reset:?}");
     }
 }
+
+block! {
+    /// A cover that is first reached in a clock in which an assertion may fail.
+    struct Together;
+    in TogetherIn { x: bits(2) }
+    out TogetherOut { same: bits(2) }
+}
+
+impl Together {
+    fn build(&self, m: Module, i: TogetherIn) -> TogetherOut {
+        m.assert(i.x.ne(2), "it is not 2");
+        m.cover("it is above 1", i.x.gt(1));
+        TogetherOut { same: i.x }
+    }
+}
+
+#[test]
+fn a_cover_is_reached_without_a_failure() {
+    let Some(found) = proof(&design(&Together), 2) else { return };
+    let Outcome::Fails(run) = &found.statements[1].outcome else { panic!("{found:?}") };
+    assert_eq!(run.recording.steps[0].inputs[0], 3);
+}

@@ -22,8 +22,10 @@ pub fn proof(design: &Design, depth: u32) -> Option<Proof> {
 /// An outcome in a word.
 pub fn word(outcome: &Outcome) -> String {
     match outcome {
-        Outcome::Proved { depth: Some(depth) } => format!("proved over {depth}"),
-        Outcome::Proved { depth: None } => "proved".to_owned(),
+        Outcome::Proved { depth, needs_periods } => {
+            let over = depth.map_or(String::new(), |depth| format!(" over {depth}"));
+            format!("proved{over}{}", if *needs_periods { " for the periods" } else { "" })
+        }
         Outcome::Fails(run) => format!("happens in {}", run.clock),
         Outcome::Holds { clocks } => format!("holds for {clocks}"),
     }

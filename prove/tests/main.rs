@@ -1,6 +1,7 @@
 //! Proofs and counterexamples.
 
 mod agreement;
+mod clocks;
 mod counterexamples;
 mod harness;
 mod proofs;

@@ -222,7 +222,7 @@ impl Encoded {
 
 /// What is proved of arithmetic.
 pub fn claims() -> Vec<Claim> {
-    let claim = |block, says, depth, design| Claim { block, says, depth, design };
+    let claim = |block, says, depth, design| Claim { block, says, depth, fails_within: depth, by_hand: false, design };
     let crc = "the check of a sum is the sum of the checks";
     vec![
         claim("multiplier, 4 bits, 2 stages", "the product is `left * right`", 3, |wrong| {

@@ -137,7 +137,7 @@ impl Arbitrated {
 
 /// What is proved of streams.
 pub fn claims() -> Vec<Claim> {
-    let claim = |block, says, depth, design| Claim { block, says, depth, design };
+    let claim = |block, says, depth, design| Claim { block, says, depth, fails_within: depth, by_hand: false, design };
     let order = "keeps the sequence, loses nothing, repeats nothing";
     vec![
         claim("queue, 1 word in registers", order, 4, |wrong| coloured(Line::Queue(1, Storage::Registers), wrong)),
