@@ -35,7 +35,8 @@ of unknown contents. A larger --depth searches longer runs, and may prove more.
 
 --ascii and -o show a run: of the statement that --show names by its number, or else of the first assertion that fails. The simulator has replayed it.
 
-Exit code 1 means that an assertion fails, or that a cover is never reached; 5 that a statement is not settled.")]
+Exit code 1 means that an assertion fails, or that a cover of the block is never reached; 5 that a statement is not settled. Covers of the blocks inside
+are shown, and do not count: the block need not use all that they can do. To prove them, prove those blocks.")]
 pub struct Prove {
     #[command(flatten)]
     block: BlockArguments,
@@ -70,7 +71,7 @@ impl Prove {
         if self.json {
             terminal::print_json(&report(entry, &values, &design, &proof))?;
         } else {
-            terminal::print(&table(&proof, design.top().clocks.len()))?;
+            terminal::print(&table(&proof, &design))?;
         }
         match shown {
             Some(run) => self.show_run(&design, run, waveform)?,
@@ -79,7 +80,7 @@ impl Prove {
             }
             None => {}
         }
-        Ok(exit(&proof))
+        Ok(exit(&proof, &design.top().name))
     }
 
     fn prove(&self, design: &Design) -> Result<Proof, Failure> {
@@ -144,17 +145,26 @@ fn ports(sim: &Simulation) -> Vec<Probe> {
     ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect()
 }
 
-/// The exit code: a statement that fails counts more than one that is not settled.
-fn exit(proof: &Proof) -> Exit {
-    match &proof.statements {
-        all if all.iter().any(Statement::fails) => Exit::CheckFailed,
-        all if all.iter().any(|it| !it.outcome.is_settled()) => Exit::Undecided,
-        _ => Exit::Done,
+/// The exit code: a statement that fails counts more than one that is not settled. A cover of an inner block does not
+/// count.
+fn exit(proof: &Proof, top: &str) -> Exit {
+    let counts = |it: &&Statement| !is_inner_cover(it, top);
+    let mut all = proof.statements.iter().filter(counts);
+    match all.clone().any(Statement::fails) {
+        true => Exit::CheckFailed,
+        false if all.any(|it| !it.outcome.is_settled()) => Exit::Undecided,
+        false => Exit::Done,
     }
 }
 
+/// Whether it is a cover of a block inside: the block around it need not use all of that.
+fn is_inner_cover(statement: &Statement, top: &str) -> bool {
+    statement.directive == Directive::Cover && statement.module != top
+}
+
 /// A line for each statement, and how many there are of each kind.
-fn table(proof: &Proof, clocks: usize) -> String {
+fn table(proof: &Proof, design: &Design) -> String {
+    let (clocks, top) = (design.top().clocks.len(), &design.top().name);
     let rows: Vec<[String; 5]> = (1..).zip(&proof.statements).map(|(number, it)| row(number, it, clocks)).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let [number, kind, result, message] = [0, 1, 2, 3].map(width);
@@ -165,6 +175,12 @@ fn table(proof: &Proof, clocks: usize) -> String {
     if let Some(most) = proof.ends_after {
         let unit = if clocks > 1 { "edges" } else { "clocks" };
         text += &format!("the assumptions allow no run of more than {most} {unit}: nothing later is searched\n");
+    }
+    let is_unreached = |it: &Statement| is_inner_cover(it, top) && !matches!(it.outcome, Outcome::Fails(_));
+    if proof.statements.iter().any(is_unreached) {
+        text += &format!(
+            "a cover inside that is not reached is no failure: `{top}` may not use all of a block that it contains\n"
+        );
     }
     text
 }
@@ -187,8 +203,9 @@ fn result(statement: &Statement, clocks: usize) -> String {
         }
         Outcome::Fails(run) => format!("{} {}", if is_cover { "reached" } else { "fails" }, when(run, clocks)),
         Outcome::Holds { clocks: searched } => {
-            let unit = if clocks > 1 { "edges" } else { "clocks" };
-            format!("{} {searched} {unit}", if is_cover { "not reached in" } else { "holds for" })
+            let unit = if clocks > 1 { "edge" } else { "clock" };
+            let plural = if *searched == 1 { "" } else { "s" };
+            format!("{} {searched} {unit}{plural}", if is_cover { "not reached in" } else { "holds for" })
         }
     }
 }
@@ -293,4 +310,26 @@ fn run_report<'a>(design: &'a Design, run: &'a Run) -> RunReport<'a> {
 /// Seconds with three decimals.
 fn seconds(time: Duration) -> f64 {
     (time.as_secs_f64() * 1000.0).round() / 1000.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_hdl::Loc;
+
+    fn cover(module: &str, outcome: Outcome) -> Proof {
+        let (message, module) = ("it happens".to_owned(), module.to_owned());
+        let loc = Loc::caller();
+        let statement = Statement { directive: Directive::Cover, message, module, loc, outcome, time: Duration::ZERO };
+        Proof { statements: vec![statement], ends_after: None }
+    }
+
+    #[test]
+    fn a_cover_of_an_inner_block_does_not_count() {
+        let never = Outcome::Proved { depth: Some(1), needs_periods: false };
+        let open = Outcome::Holds { clocks: 20 };
+        assert_eq!(exit(&cover("top", never.clone()), "top"), Exit::CheckFailed);
+        assert_eq!(exit(&cover("top", open.clone()), "top"), Exit::Undecided);
+        assert_eq!([never, open].map(|outcome| exit(&cover("inner", outcome), "top")), [Exit::Done; 2]);
+    }
 }

@@ -47,10 +47,24 @@ fn what_is_open_has_an_exit_code_of_its_own() {
 
 #[test]
 fn what_cannot_be_proved_is_refused_with_a_remedy() {
-    for (block, says) in [("counter", "states nothing to prove: add"), ("dual-clock-fifo", "has several clocks")] {
-        let run = Folder::new().run(&format!("prove {block}"));
-        assert!(run.code == Some(2) && run.stderr.contains(says), "{run:?}");
+    let run = Folder::new().run("prove counter");
+    assert!(run.code == Some(2) && run.stderr.contains("states nothing to prove: add"), "{run:?}");
+}
+
+#[test]
+fn times_are_told_where_a_block_has_several_clocks() {
+    if lacks_tools() {
+        return;
     }
+    let run = Folder::new().run("prove lfb-swap --depth 3 --json");
+    let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    let statement = |number: usize| &report["statements"][number - 1];
+    assert_eq!((run.code, &statement(1)["needs_periods"]), (Some(1), &false.into()), "{report}");
+    assert_eq!(
+        (&statement(3)["result"], &statement(3)["run"]["time_ps"]),
+        (&"fails".into(), &75_000.into()),
+        "{report}"
+    );
 }
 
 #[test]
