@@ -13,6 +13,10 @@
 //! synchronous reads, and memories of unknown contents. Inputs and resets have any value in each clock, and nothing is
 //! checked while the reset is active. An assertion fails where no other one has failed before.
 //!
+//! Where a design has several clocks, a "clock" of a proof is an instant at which one or more of them have an edge. What
+//! can be proved for edges in any sequence holds for all periods. The rest is proved, or searched, with the edges at the
+//! exact times of the periods. All resets come together, and last until each clock has had an edge.
+//!
 //! ```
 //! use tilewright_hdl::*;
 //! use tilewright_prove::{Error, Outcome, Prover};

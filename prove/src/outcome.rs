@@ -112,7 +112,8 @@ impl Outcome {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Run {
-    /// The clock at whose end it happens, from 0: the run has one more.
+    /// The clock at whose end it happens, from 0: the run has one more. With several clocks, it is an instant at which
+    /// one or more of them have an edge.
     pub clock: u32,
     /// The instance's path below the top; the top module's name for the top itself.
     pub instance: String,

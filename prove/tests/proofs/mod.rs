@@ -2,7 +2,9 @@
 
 mod arithmetic;
 mod clocks;
+mod frame_buffers;
 mod machines;
+mod pixels;
 mod streams;
 
 use crate::harness::proof;
@@ -35,7 +37,15 @@ pub fn design<B: Block>(block: &B) -> Design {
 /// All claims, for the table.
 #[allow(dead_code)]
 pub fn claims() -> Vec<Claim> {
-    [streams::claims(), clocks::claims(), arithmetic::claims(), machines::claims()].into_iter().flatten().collect()
+    let all = [
+        streams::claims(),
+        clocks::claims(),
+        arithmetic::claims(),
+        machines::claims(),
+        frame_buffers::claims(),
+        pixels::claims(),
+    ];
+    all.into_iter().flatten().collect()
 }
 
 /// The row of a claim in the table, without the last column, and the seconds; `None` if a program is missing.
@@ -106,4 +116,14 @@ fn of_arithmetic() {
 #[test]
 fn of_machines() {
     check(machines::claims());
+}
+
+#[test]
+fn of_frame_buffers() {
+    check(frame_buffers::claims());
+}
+
+#[test]
+fn of_pixels() {
+    check(pixels::claims());
 }
