@@ -147,15 +147,12 @@ pub fn claims() -> Vec<Claim> {
         claim("VC-1: scan counter, 3 x 2 pixels", "the pixels come in raster order", 4, |wrong| {
             design(&Scanned { wrong })
         }),
-        Claim {
-            by_hand: true,
-            ..claim(
-                "Pixel-planes 5: linear tree, side 4",
-                "each pixel has A x + B y + C, for all coefficients of 4 bits",
-                12,
-                |wrong| design(&Linear { wrong }),
-            )
-        },
+        claim(
+            "Pixel-planes 5: linear tree, side 4",
+            "each pixel has A x + B y + C, for all coefficients of 4 bits",
+            12,
+            |wrong| design(&Linear { wrong }),
+        ),
         claim("VC-1: merging unit, 48 bits", "four clocks later the lesser word comes out", 6, |wrong| {
             design(&Merged { wrong })
         }),
