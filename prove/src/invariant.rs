@@ -2,14 +2,14 @@
 //! called property directed reachability). ABC finds it, bit by bit; it needs no number of clocks.
 
 use crate::edges::Edges;
-use crate::model::{read_and_flatten, run_yosys, unwritable, verilog_in};
+use crate::model::{read_and_flatten, run_yosys, verilog_in};
 use crate::prepare::Prepared;
-use crate::process::run;
+use crate::process::{run, temporary};
 use crate::solver::{Halt, Patience};
 use std::time::Instant;
 
 /// ABC, as Yosys brings it along.
-const ABC: &str = "yosys-abc";
+pub const ABC: &str = "yosys-abc";
 /// The seconds that ABC may take, if nobody says otherwise.
 const MOST_SECONDS: u64 = 60;
 
@@ -19,7 +19,7 @@ const MOST_SECONDS: u64 = 60;
 ///
 /// Yosys fails, or the watcher asks to stop.
 pub fn is_found(prepared: &Prepared, edges: Edges, patience: &Patience) -> Result<bool, Halt> {
-    let folder = tempfile::Builder::new().prefix("tilewright-").tempdir().map_err(unwritable)?;
+    let folder = temporary()?;
     let files = verilog_in(folder.path(), prepared, edges)?;
     let script = format!(
         "{}; delete t:$cover; delete -output; techmap; opt_clean; aigmap; opt_clean; write_aiger -zinit -I -B model.aig",

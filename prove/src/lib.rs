@@ -52,6 +52,7 @@
 
 mod answer;
 mod edges;
+mod equal;
 mod error;
 mod formulas;
 mod induction;
@@ -69,6 +70,7 @@ mod search;
 mod solver;
 mod start;
 
+pub use equal::{Difference, Equivalence, Value, Verdict};
 pub use error::Error;
 pub use outcome::{Outcome, Proof, Run, Statement};
 pub use prover::Prover;

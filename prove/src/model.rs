@@ -5,7 +5,7 @@ use crate::edges::{Edges, INSTANTS};
 use crate::formulas::Formulas;
 use crate::places::{Places, places};
 use crate::prepare::Prepared;
-use crate::process::run;
+use crate::process::{run, temporary};
 use crate::solver::{Halt, Patience};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -13,7 +13,7 @@ use tilewright_gen::tools::{Missing, WITH_MODELS, sources};
 use tilewright_gen::{VerilogFile, verilog};
 
 /// What to do where Yosys is missing.
-const YOSYS: Missing = Missing { program: "yosys", remedy: "install it (Debian: apt-get install yosys)" };
+pub const YOSYS: Missing = Missing { program: "yosys", remedy: "install it (Debian: apt-get install yosys)" };
 /// The file of the formulas.
 const FORMULAS: &str = "model.smt2";
 
@@ -54,7 +54,7 @@ pub enum GoalKind {
 ///
 /// Yosys is missing, or it fails.
 pub fn model(prepared: &Prepared, edges: Edges, patience: &Patience) -> Result<Model, Halt> {
-    let folder = tempfile::Builder::new().prefix("tilewright-").tempdir().map_err(unwritable)?;
+    let folder = temporary()?;
     let mut files = verilog(&prepared.design);
     let places = places(&files);
     edges.state(&prepared.design, &mut files);
@@ -86,6 +86,11 @@ fn write(folder: &Path, files: &[VerilogFile]) -> Result<(), Error> {
 pub fn unwritable(error: std::io::Error) -> Error {
     Error::Refused(format!("a temporary file cannot be written: {error}"))
 }
+
+/// The commands that leave one flat module without memories. Passes that could choose a value for something undefined are
+/// left out, and what is undefined has any value.
+pub const TO_BITS: &str = "memory_collect; memory_map; opt_expr -keepdc; opt_clean; chformal -early; async2sync; \
+                           dffunmap; setundef -undriven -anyseq; opt_clean";
 
 /// The commands that make one module of the files, without memories. Passes that could choose a value for something
 /// undefined are left out, and what is undefined has any value.

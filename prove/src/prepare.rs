@@ -5,7 +5,7 @@ use tilewright_hdl::ir::{Directive, Init, Module};
 use tilewright_hdl::{Design, Loc, Problems};
 
 /// The most bits that the memories may have: each becomes a register.
-const MOST_MEMORY: u64 = 1 << 16;
+pub const MOST_MEMORY: u64 = 1 << 16;
 
 /// A statement of the description.
 pub struct Stated {
@@ -29,6 +29,32 @@ pub struct Prepared {
 /// It is not one that can be proved.
 pub fn prepare(design: &Design) -> Result<Prepared, Error> {
     check(design)?;
+    check_statements(design)?;
+    prepared(design, |directive| directive != Directive::Display)
+}
+
+/// Prepares a design that is compared with another one: of its statements, the assumptions are left.
+///
+/// # Errors
+///
+/// It is not one that can be compared.
+pub fn prepare_for_equality(design: &Design) -> Result<Prepared, Error> {
+    check(design)?;
+    let top = design.top();
+    if top.outputs.is_empty() {
+        return Err(Error::Refused(format!("`{}` has no outputs to compare", top.name)));
+    }
+    if top.clocks.len() > 1 {
+        let clocks = top.clocks.iter().map(|clock| clock.port.as_str()).collect::<Vec<_>>().join(", ");
+        let name = &top.name;
+        return Err(Error::Refused(format!(
+            "`{name}` has several clocks ({clocks}), and modules of one clock are compared: compare its blocks"
+        )));
+    }
+    prepared(design, |directive| directive == Directive::Assume)
+}
+
+fn prepared(design: &Design, is_kept: fn(Directive) -> bool) -> Result<Prepared, Error> {
     let mut stated = Vec::new();
     let mut modules = design.clone().into_modules();
     for module in &mut modules {
@@ -37,15 +63,15 @@ pub fn prepare(design: &Design) -> Result<Prepared, Error> {
                 register.initial = Some(value.clone());
             }
         });
+        module.properties.retain(|property| is_kept(property.directive));
         number(module, &mut stated);
     }
     let wrong = |problems: Problems| Error::Refused(format!("the design cannot be prepared: {problems}"));
     Ok(Prepared { design: Design::new(modules).map_err(wrong)?, stated })
 }
 
-/// Gives each statement its number as a message. Displays are left out.
+/// Gives each statement its number as a message.
 fn number(module: &mut Module, stated: &mut Vec<Stated>) {
-    module.properties.retain(|property| property.directive != Directive::Display);
     for property in &mut module.properties {
         let message = std::mem::replace(&mut property.message, format!("#{}", stated.len()));
         stated.push(Stated { directive: property.directive, message, module: module.name.clone(), loc: property.loc });
@@ -65,13 +91,6 @@ fn check(design: &Design) -> Result<(), Error> {
             "`{name}` makes clocks, and a proof takes them from outside: prove the blocks that it serves"
         ));
     }
-    let states = |module: &Module| {
-        module.properties.iter().any(|it| matches!(it.directive, Directive::Assert | Directive::Cover))
-    };
-    if !design.modules().iter().any(states) {
-        let name = &top.name;
-        return refused(format!("`{name}` states nothing to prove: add m.assert(..) or m.cover(..)"));
-    }
     let bits = memory_bits(design);
     if bits > MOST_MEMORY {
         return refused(format!(
@@ -80,6 +99,17 @@ fn check(design: &Design) -> Result<(), Error> {
         ));
     }
     Ok(())
+}
+
+fn check_statements(design: &Design) -> Result<(), Error> {
+    let states = |module: &Module| {
+        module.properties.iter().any(|it| matches!(it.directive, Directive::Assert | Directive::Cover))
+    };
+    if design.modules().iter().any(states) {
+        return Ok(());
+    }
+    let name = &design.top().name;
+    Err(Error::Refused(format!("`{name}` states nothing to prove: add m.assert(..) or m.cover(..)")))
 }
 
 /// The bits of all memories of all instances.

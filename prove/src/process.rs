@@ -8,7 +8,17 @@ use std::ops::ControlFlow::{Break, Continue};
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
+use tempfile::TempDir;
 use tilewright_gen::tools::{is_installed, run_watched};
+
+/// A folder that is deleted when dropped.
+///
+/// # Errors
+///
+/// It cannot be made.
+pub fn temporary() -> Result<TempDir, Error> {
+    TempDir::with_prefix("tilewright-").map_err(unwritable)
+}
 
 /// Runs a program in a folder; returns whether it succeeded, and its output. `None` if there is no such program.
 ///

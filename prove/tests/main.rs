@@ -3,5 +3,6 @@
 mod agreement;
 mod clocks;
 mod counterexamples;
+mod equality;
 mod harness;
 mod proofs;
