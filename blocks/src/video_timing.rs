@@ -54,6 +54,18 @@ impl Scan {
         self.visible + self.front + self.sync + self.back
     }
 
+    /// The visible part.
+    ///
+    /// ```
+    /// use tilewright_blocks::VideoTiming;
+    ///
+    /// let VideoTiming { columns, rows } = VideoTiming::SVGA;
+    /// assert_eq!([columns, rows].map(|scan| scan.visible()), [800, 600]);
+    /// ```
+    pub const fn visible(&self) -> u32 {
+        self.visible
+    }
+
     /// Where the pulse is.
     fn pulse(&self) -> Range<u32> {
         let start = self.visible + self.front;

@@ -1,6 +1,5 @@
 //! Tops with their pads, PLLs and pins: each fits its FPGA, and is in time there.
 
-use crate::examples::dvi;
 use crate::pins::i2c::i2c_pins::I2cPins;
 use crate::pins::spi_flash::flash_pins::FlashPins;
 use tilewright_blocks::{I2cMaster, SdramController, SdramOnPads, SpiFlashReader};
@@ -21,13 +20,6 @@ struct Chip {
 }
 
 const CHIPS: &[Chip] = &[
-    Chip {
-        name: "dvi",
-        design: || elaborate(&dvi::Dvi::VGA).unwrap(),
-        pins: dvi::PINS,
-        device: Device::LFE5U_25F,
-        clocks: &[("pixel_clk", 25.0), ("serial_clk", 125.0)],
-    },
     // I2C at 400 kHz.
     Chip {
         name: "i2c_pins",

@@ -1,7 +1,6 @@
 //! The blocks at the pins of a chip.
 
 mod debouncer;
-mod dvi;
 pub mod i2c;
 pub mod sdram;
 mod spi;

@@ -1,6 +1,7 @@
 //! What the chapters show as printed is what their code prints.
 
-use tilewright_gen::{Dialect, Pins, constraints};
+use tilewright_boards::{Top, ulx3s};
+use tilewright_gen::{Dialect, Pins, VerilogFile, constraints};
 use tilewright_guide::blink::Blink;
 use tilewright_guide::book::{Fence, fences, stands_in};
 use tilewright_guide::button::{Button, Line};
@@ -18,7 +19,8 @@ fn printed(name: &str) -> String {
     match name {
         "blink.v" => verilog(&Blink { clocks: 6_000_000 }),
         "button.v" => verilog(&Button),
-        "dvi.lpf" => lpf(&crate::dvi::Dvi::VGA, crate::dvi::PINS),
+        "test_picture.lpf" => on_a_board("test-picture").pop().unwrap().text,
+        "ulx3s.pins" => ulx3s::PINS.to_owned(),
         "two_clocks.sdc" => sdc(&ShoutingEcho { clocks_per_bit: 13 }),
         "line.v" => verilog(&Line),
         "bit_ticks.v" => verilog(&BitTicks { clocks_per_bit: 4 }),
@@ -48,8 +50,10 @@ fn sdc<B: Block>(block: &B) -> String {
     constraints(&elaborate(block).unwrap(), Dialect::Sdc, &Pins::none()).unwrap().text
 }
 
-fn lpf<B: Block>(block: &B, pins: &str) -> String {
-    constraints(&elaborate(block).unwrap(), Dialect::Lpf, &Pins::read(pins).unwrap()).unwrap().text
+/// Verilog and constraints of a top for a ULX3S.
+pub fn on_a_board(top: &str) -> Vec<VerilogFile> {
+    let top = Top::find(top, "ulx3s").unwrap();
+    top.files(&(top.design)().unwrap()).unwrap()
 }
 
 /// How long the Verilog of small and large squares is.

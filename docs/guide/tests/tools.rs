@@ -35,7 +35,11 @@ fn folder_of(name: &str) -> TempDir {
             print(&Button, made.path());
             fs::copy(folder().join("board/button.pcf"), made.path().join("button.pcf")).unwrap();
         }
-        "dvi" => crate::dvi::write(made.path()).unwrap(),
+        "picture" => {
+            for file in crate::outputs::on_a_board("test-picture") {
+                fs::write(made.path().join(file.name), file.text).unwrap();
+            }
+        }
         "board" => {
             print(&PowerOnReset::new(16), made.path());
             print(&Echo { clocks_per_bit: 104, depth: 16 }, made.path());

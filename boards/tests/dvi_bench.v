@@ -37,7 +37,7 @@ module bench;
     wire locked;
     integer bits;
 
-    dvi dut (.pixel_clk(clock), .tmds(tmds), .locked(locked));
+    test_picture dut (.pixel_clk(clock), .tmds(tmds), .locked(locked));
     always #20_000 clock = ~clock;
 
     // From the clock of the dut only its first edge is known: the bits follow each other in 4 ns.

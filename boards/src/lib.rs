@@ -1,0 +1,15 @@
+#![doc = include_str!("../README.md")]
+
+mod dvi;
+mod picture;
+pub mod receiver;
+mod screen;
+mod test_picture;
+mod top;
+pub mod ulx3s;
+
+pub use dvi::{DviSender, DviSenderIn, DviSenderOut};
+pub use picture::{Colour, Picture, PictureIn};
+pub use screen::{Screen, ScreenIn, Shown};
+pub use test_picture::{TestPicture, TestPictureOnUlx3s, TestPictureOnUlx3sOut};
+pub use top::{Device, TOPS, Top};

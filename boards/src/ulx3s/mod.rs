@@ -1,0 +1,37 @@
+//! The ULX3S: a board with a Lattice ECP5, an oscillator of 25 MHz and a socket for DVI or HDMI.
+
+mod pads;
+mod pll;
+
+use crate::dvi::{DviSender, DviSenderIn};
+use crate::picture::Picture;
+use crate::screen::{Screen, ScreenIn};
+pub use pads::{DoubleRate, DoubleRateIn, DoubleRateOut};
+pub use pll::{PllIn, PllOut, SerialPll, at_rest};
+use tilewright_hdl::{Clock, Module, Period, Reset, Signal, def, lit};
+
+/// The board's oscillator, which is also the clock of the pixels: 640 x 480 at 59.5 Hz.
+pub const PIXEL: Clock = Clock::new("pixel", Period::ns(40)).reset(Reset::PowerOn);
+
+/// The clock of the serial lines, which send a bit at each of its edges.
+pub const SERIAL: Clock = Clock::new("serial", Period::ns(8)).reset(Reset::PowerOn);
+
+/// The pins, as [`Pins::read`](tilewright_gen::Pins::read) takes them.
+pub const PINS: &str = include_str!("../../ulx3s.pins");
+
+/// Shows a screen on the board's socket: describes the PLL of the lines, the screen, the sender and the pads in the
+/// top `m`. `clocks` are high once the other clocks of the picture run.
+///
+/// Returns the four lines, and whether all clocks run.
+pub fn show<P: Picture>(m: Module, screen: &Screen<P>, clocks: &[Signal]) -> (Signal, Signal) {
+    let (pixel, serial) = (m.on(PIXEL), m.on(SERIAL));
+    def!(pll = m.instance(&SerialPll, at_rest()));
+    def!(all_locked = clocks.iter().fold(pll.lock, |all, lock| all & *lock));
+    def!(locked = pixel.synchronize(all_locked));
+    def!(screen = pixel.instance(screen, ScreenIn { runs: locked }));
+    let sender = DviSender { pixel: PIXEL, serial: SERIAL };
+    def!(sender = m.instance(&sender, DviSenderIn { shown: screen, runs: locked }));
+    let into = DoubleRateIn { rst: lit(1, 0), d0: sender.first, d1: sender.second };
+    def!(tmds = serial.array(4, &DoubleRate, |_| into));
+    (tmds.q, locked)
+}

@@ -1,0 +1,5 @@
+//! Tops, by what their pins send.
+
+mod board;
+mod chips;
+mod test_picture;
