@@ -7,6 +7,7 @@ mod screen;
 mod test_picture;
 mod top;
 pub mod ulx3s;
+pub mod vc1;
 
 pub use dvi::{DviSender, DviSenderIn, DviSenderOut};
 pub use picture::{Colour, Picture, PictureIn};

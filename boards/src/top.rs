@@ -2,6 +2,7 @@
 
 use crate::test_picture::TestPictureOnUlx3s;
 use crate::ulx3s;
+use crate::vc1::Vc1OnUlx3s;
 use tilewright_blocks::VideoTiming;
 use tilewright_gen::{Dialect, PinProblems, Pins, VerilogFile, constraints, verilog};
 use tilewright_hdl::{Design, Problems, elaborate};
@@ -33,15 +34,26 @@ pub struct Top {
 }
 
 /// All tops. A machine on another board is one more entry.
-pub const TOPS: &[Top] = &[Top {
-    name: "test-picture",
-    board: "ulx3s",
-    about: "a chessboard with moving bars",
-    device: Device::Ecp5Large,
-    pins: ulx3s::PINS,
-    dialect: Dialect::Lpf,
-    design: || elaborate(&TestPictureOnUlx3s { timing: VideoTiming::VGA }),
-}];
+pub const TOPS: &[Top] = &[
+    Top {
+        name: "test-picture",
+        board: "ulx3s",
+        about: "a chessboard with moving bars",
+        device: Device::Ecp5Large,
+        pins: ulx3s::PINS,
+        dialect: Dialect::Lpf,
+        design: || elaborate(&TestPictureOnUlx3s { timing: VideoTiming::VGA }),
+    },
+    Top {
+        name: "vc1",
+        board: "ulx3s",
+        about: "the VC-1 with six local frame buffers, which draws a turning star",
+        device: Device::Ecp5Large,
+        pins: ulx3s::PINS,
+        dialect: Dialect::Lpf,
+        design: || elaborate(&Vc1OnUlx3s::full().expect("the star is built in")),
+    },
+];
 
 impl Top {
     /// The top of this name on this board.

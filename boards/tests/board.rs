@@ -2,26 +2,44 @@
 
 use tilewright_boards::receiver::{Lines, Seen, received};
 use tilewright_boards::ulx3s::SERIAL;
-use tilewright_hdl::Block;
+use tilewright_hdl::{Block, elaborate};
 use tilewright_sim::Simulation;
 
-/// What the pins of a ULX3S send in clocks of their lines. At an edge upwards the pin of the model has the first bit,
-/// and its register the second one.
-pub fn sent<B: Block>(top: &B, clocks: usize) -> Lines {
-    let mut sim = Simulation::of(top).unwrap().seeded(5);
-    let mut lines = Lines::default();
-    for _ in 0..clocks {
-        sim.step_clock(SERIAL, 1);
-        for (lane, line) in lines.iter_mut().enumerate() {
-            let bit = |place: &str| sim.peek(&format!("u_tmds[{lane}].{place}")).unwrap() == 1;
-            line.extend(["first", "second"].map(bit));
-        }
-    }
-    assert_eq!(sim.peek("locked").unwrap(), 1);
-    lines
+/// A board that runs, and what its pins have sent.
+pub struct Board {
+    sim: Simulation,
+    /// The names of the pins' bits in the model: at an edge upwards a pin has the first bit, and its register the second one.
+    bits: [[String; 2]; 4],
+    pub lines: Lines,
 }
 
-/// What a receiver sees of it.
+impl Board {
+    pub fn new<B: Block>(top: &B) -> Board {
+        let sim = Simulation::from_design(&elaborate(top).unwrap()).unwrap().seeded(5);
+        let bits = std::array::from_fn(|lane| ["first", "second"].map(|bit| format!("u_tmds[{lane}].{bit}")));
+        Board { sim, bits, lines: Lines::default() }
+    }
+
+    /// Lets clocks of the lines pass, of which nobody receives anything.
+    pub fn skip(&mut self, clocks: usize) {
+        self.sim.step_clock(SERIAL, clocks as u64);
+    }
+
+    /// Receives what the pins send in these clocks of the lines.
+    pub fn receive(&mut self, clocks: usize) {
+        for _ in 0..clocks {
+            self.sim.step_clock(SERIAL, 1);
+            for (line, bits) in self.lines.iter_mut().zip(&self.bits) {
+                line.extend(bits.each_ref().map(|bit| self.sim.peek(bit).unwrap() == 1));
+            }
+        }
+    }
+}
+
+/// What a receiver sees of a ULX3S in these clocks of its lines.
 pub fn seen<B: Block>(top: &B, clocks: usize) -> Vec<Seen> {
-    received(&sent(top, clocks)).unwrap()
+    let mut board = Board::new(top);
+    board.receive(clocks);
+    assert_eq!(board.sim.peek("locked").unwrap(), 1);
+    received(&board.lines).unwrap()
 }

@@ -3,3 +3,4 @@
 mod board;
 mod chips;
 mod test_picture;
+mod vc1;

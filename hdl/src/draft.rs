@@ -73,6 +73,8 @@ pub(crate) struct Draft {
     pub prefix: String,
     /// The clocks that run in place of others now, the innermost last.
     pub renamed: Vec<Renamed>,
+    /// The clocks whose registers begin with values at power-on, whatever their descriptions say.
+    pub by_power_on: Vec<&'static str>,
     /// The clocks in whose place the module's own runs, here or in an instance.
     pub own_periods: Vec<OwnPeriod>,
     /// The parts that [`Module::enabled`](crate::Module::enabled) made, each after the one around it.
@@ -178,6 +180,7 @@ impl Draft {
             unmodelled: None,
             prefix: String::new(),
             renamed: Vec::new(),
+            by_power_on: Vec::new(),
             own_periods: Vec::new(),
             parts: Vec::new(),
             part: None,
@@ -298,7 +301,7 @@ impl Draft {
 
     /// How a clock resets.
     pub fn reset_of(&self, id: ClockId) -> Reset {
-        self.clocks[id.0 as usize].map_or(self.own.reset, |clock| clock.reset)
+        self.clocks[id.0 as usize].map_or(self.own.reset, |clock| self.as_it_resets(clock).reset)
     }
 
     /// Whether one of the nodes is a stand-in or is computed from one.

@@ -208,6 +208,7 @@ pub(crate) fn elaborate_module<B: Block>(
             is_pad: block.is_pad(),
             port_names: block.port_names(),
             gated: gated.clone(),
+            by_power_on: e.by_power_on.clone(),
             ..Draft::new(serial, name, own, loc)
         });
         foreign::begin(e, block.foreign());

@@ -46,6 +46,8 @@ pub(crate) struct Elaboration {
     pub drafts_begun: u32,
     /// Every named clock, and the place of its first use.
     pub clocks: BTreeMap<&'static str, (Clock, Loc)>,
+    /// The clocks whose registers begin with values at power-on, whatever their descriptions say.
+    pub by_power_on: Vec<&'static str>,
     /// How a clock acts that no module's name tells: as the top's own, or in the usual way where the reset is given.
     pub unnamed: OwnClock,
     /// For each finished module, what of its default clock it depends on.
@@ -198,6 +200,7 @@ pub(crate) fn run(own: OwnClock, describe: impl FnOnce()) -> Result<Elaboration,
             drafts: Vec::new(),
             drafts_begun: 0,
             clocks: BTreeMap::new(),
+            by_power_on: Vec::new(),
             unnamed: OwnClock { reset: given_reset().map_or(own.reset, |_| Reset::default()), ..own },
             depends_on: Vec::new(),
             problems: Vec::new(),
@@ -238,6 +241,7 @@ impl Elaboration {
 
     /// Registers a clock; its name has one period, one kind of reset and one edge in the whole design.
     pub fn meet_clock(&mut self, clock: Clock, loc: Loc) {
+        let clock = if self.by_power_on.contains(&clock.name) { clock.reset(Reset::PowerOn) } else { clock };
         let (known, first) = match self.clocks.get(clock.name) {
             Some(known) => *known,
             None => {

@@ -108,7 +108,7 @@ impl Draft {
     /// The clock that runs where the description names this one; `None` for the module's own.
     pub fn in_use(&self, clock: Clock) -> Option<Clock> {
         let renamed = self.renamed.iter().rev().find(|renamed| renamed.inner.name == clock.name);
-        renamed.map_or(Some(clock), |renamed| renamed.outer)
+        renamed.map_or(Some(self.as_it_resets(clock)), |renamed| renamed.outer)
     }
 }
 

@@ -67,6 +67,7 @@ mod bits;
 mod block;
 mod bracket;
 mod bundle;
+mod by_power_on;
 pub mod catalog;
 mod check;
 mod choose;

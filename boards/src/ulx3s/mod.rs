@@ -7,8 +7,8 @@ use crate::dvi::{DviSender, DviSenderIn};
 use crate::picture::Picture;
 use crate::screen::{Screen, ScreenIn};
 pub use pads::{DoubleRate, DoubleRateIn, DoubleRateOut};
-pub use pll::{PllIn, PllOut, SerialPll, at_rest};
-use tilewright_hdl::{Clock, Module, Period, Reset, Signal, def, lit};
+pub use pll::{MachinePll, PllIn, PllOut, SerialPll, at_rest};
+use tilewright_hdl::{Clock, Module, Period, Reset, Signal, bit, def, lit};
 
 /// The board's oscillator, which is also the clock of the pixels: 640 x 480 at 59.5 Hz.
 pub const PIXEL: Clock = Clock::new("pixel", Period::ns(40)).reset(Reset::PowerOn);
@@ -26,8 +26,12 @@ pub const PINS: &str = include_str!("../../ulx3s.pins");
 pub fn show<P: Picture>(m: Module, screen: &Screen<P>, clocks: &[Signal]) -> (Signal, Signal) {
     let (pixel, serial) = (m.on(PIXEL), m.on(SERIAL));
     def!(pll = m.instance(&SerialPll, at_rest()));
-    def!(all_locked = clocks.iter().fold(pll.lock, |all, lock| all & *lock));
-    def!(locked = pixel.synchronize(all_locked));
+    let synchronized = (0..).zip(clocks).map(|(number, lock)| pixel.synchronize(&format!("locked{number}"), *lock));
+    let all_locked = synchronized.fold(pixel.synchronize("serial_locked", pll.lock), |all, lock| all & lock);
+    // A register, because pictures take it to their clocks.
+    def!(locked = pixel.reg(bit()).reset(0));
+    locked.next(all_locked);
+    let locked = *locked;
     def!(screen = pixel.instance(screen, ScreenIn { runs: locked }));
     let sender = DviSender { pixel: PIXEL, serial: SERIAL };
     def!(sender = m.instance(&sender, DviSenderIn { shown: screen, runs: locked }));

@@ -2,6 +2,7 @@
 
 use super::{PIXEL, SERIAL};
 use tilewright_hdl::{Foreign, Module, Signal, bit, block, def, lit, record, up_to};
+use tilewright_rtl::clocks::{MERGE, PE};
 
 record! {
     /// The inputs of an ECP5's PLL beside its clocks. Its phase can be moved while it runs, which no PLL here does.
@@ -86,6 +87,32 @@ block! {
 }
 
 impl SerialPll {
+    fn build(&self, m: Module, i: PllIn) -> PllOut {
+        m.ignore(&i);
+        PllOut { lock: locks(m) }
+    }
+}
+
+block! {
+    /// The PLL of an ECP5 as it makes the clocks of the VC-1 of 25 MHz: 40 MHz for the processing elements, and
+    /// 12.5 MHz for the merger. Its oscillator runs at 600 MHz.
+    pub struct MachinePll;
+    foreign = pll()
+        .parameter("CLKI_DIV", 5)
+        .parameter("CLKFB_DIV", 8)
+        .parameter("CLKOP_DIV", 15)
+        .parameter("CLKOP_CPHASE", 7)
+        .parameter("CLKOS_ENABLE", "ENABLED")
+        .parameter("CLKOS_DIV", 48)
+        .parameter("CLKOS_CPHASE", 7)
+        .clock_of(PE, "CLKFB")
+        .makes(PE, "CLKOP")
+        .makes(MERGE, "CLKOS");
+    in = PllIn;
+    out = PllOut;
+}
+
+impl MachinePll {
     fn build(&self, m: Module, i: PllIn) -> PllOut {
         m.ignore(&i);
         PllOut { lock: locks(m) }

@@ -372,3 +372,18 @@ fn the_port_of_a_reset_is_no_other_port() {
 fn periods_that_have_no_half() {
     let _ = Period::ps(3);
 }
+
+#[test]
+fn a_clock_is_said_to_have_no_reset_before_it_is_used() {
+    expect(
+        |m, i| {
+            let on = m.on(FAST).pipe("on", i.a.quasi_static("a test"));
+            m.reset_by_power_on(FAST);
+            on
+        },
+        "clock `fast` has no reset from here on and a synchronous reset before [T809]
+         --> [m.reset_by_power_on(FAST);]
+         `fast` is first used at [let on = m.on(FAST).pipe(\"on\", i.a.quasi_static(\"a test\"));]
+         help: write this line first in the top, whose ports are on other clocks",
+    );
+}
