@@ -1,6 +1,7 @@
 //! The command line: one file for each subcommand, and what they share in `shell`.
 
 mod bench;
+mod bitstream;
 mod block;
 mod compare;
 mod completions;
@@ -48,7 +49,7 @@ struct CommandLine {
 const AFTER_HELP: &str = "\
 Exit codes:
   0    done
-  1    a check failed: a frame differs from the golden image, an assertion of the hardware fails, a block does not fit its device, or simulators or engines disagree
+  1    a check failed: a frame differs from the golden image, an assertion of the hardware fails, a block does not fit its device or is too slow there, or simulators or engines disagree
   2    bad usage or bad input
   3    an output cannot be written
   4    an external program is not installed, or fails
@@ -76,6 +77,7 @@ enum Command {
     Prove(prove::Prove),
     Diagram(diagram::Diagram),
     Synth(synth::Synth),
+    Bitstream(bitstream::Bitstream),
     Reproduce(reproduce::Reproduce),
     Bench(bench::Bench),
     Explain(explain::Explain),
@@ -96,6 +98,7 @@ impl Command {
             Command::Prove(it) => it.run(),
             Command::Diagram(it) => it.run(),
             Command::Synth(it) => it.run(),
+            Command::Bitstream(it) => it.run(),
             Command::Reproduce(it) => it.run(),
             Command::Bench(it) => it.run(),
             Command::Explain(it) => it.run(),

@@ -25,6 +25,8 @@ pub struct Top {
     pub about: &'static str,
     /// The board's FPGA.
     pub device: Device,
+    /// The program that loads a bitstream onto the board, with its arguments before the file.
+    pub loader: &'static str,
     /// The board's pins, as [`Pins::read`] takes them.
     pub pins: &'static str,
     /// The language of the constraints.
@@ -40,6 +42,7 @@ pub const TOPS: &[Top] = &[
         board: "ulx3s",
         about: "a chessboard with moving bars",
         device: Device::Ecp5Large,
+        loader: ulx3s::LOADER,
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
         design: || elaborate(&TestPictureOnUlx3s { timing: VideoTiming::VGA }),
@@ -49,6 +52,7 @@ pub const TOPS: &[Top] = &[
         board: "ulx3s",
         about: "the VC-1 with six local frame buffers, which draws a turning star",
         device: Device::Ecp5Large,
+        loader: ulx3s::LOADER,
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
         design: || elaborate(&Vc1OnUlx3s::full().expect("the star is built in")),

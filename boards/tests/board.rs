@@ -8,15 +8,15 @@ use tilewright_sim::Simulation;
 /// A board that runs, and what its pins have sent.
 pub struct Board {
     sim: Simulation,
-    /// The names of the pins' bits in the model: at an edge upwards a pin has the first bit, and its register the second one.
-    bits: [[String; 2]; 4],
+    /// The names of the registers of the pins' models, which have the bits of both edges.
+    bits: [String; 4],
     pub lines: Lines,
 }
 
 impl Board {
     pub fn new<B: Block>(top: &B) -> Board {
         let sim = Simulation::from_design(&elaborate(top).unwrap()).unwrap().seeded(5);
-        let bits = std::array::from_fn(|lane| ["first", "second"].map(|bit| format!("u_tmds[{lane}].{bit}")));
+        let bits = std::array::from_fn(|lane| format!("u_tmds[{lane}].sent"));
         Board { sim, bits, lines: Lines::default() }
     }
 
@@ -30,7 +30,8 @@ impl Board {
         for _ in 0..clocks {
             self.sim.step_clock(SERIAL, 1);
             for (line, bits) in self.lines.iter_mut().zip(&self.bits) {
-                line.extend(bits.each_ref().map(|bit| self.sim.peek(bit).unwrap() == 1));
+                let sent = self.sim.peek(bits).unwrap().to_u64().unwrap();
+                line.extend([sent & 1 == 1, sent & 2 == 2]);
             }
         }
     }

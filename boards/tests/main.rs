@@ -2,5 +2,6 @@
 
 mod board;
 mod chips;
+mod pins;
 mod test_picture;
 mod vc1;

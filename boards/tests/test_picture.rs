@@ -1,13 +1,10 @@
 //! The test picture, by what its four serial pins send.
 
 use crate::board::seen;
-use std::process::Command;
+use crate::pins;
 use tilewright_blocks::{Scan, VideoTiming};
 use tilewright_boards::TestPictureOnUlx3s;
-use tilewright_boards::receiver::{Lines, Seen, beginnings, frames, received};
-use tilewright_gen::tools::skipped_without;
-use tilewright_gen::verilog;
-use tilewright_hdl::elaborate;
+use tilewright_boards::receiver::{Seen, beginnings, frames, received};
 
 /// Runs of equal parts: each with its length.
 fn runs<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<(T, usize)> {
@@ -99,26 +96,16 @@ fn the_lines_have_the_parts_of_vga() {
     has_lines_of_vga(&seen(&VGA, 5 * 800 * 4));
 }
 
-/// The cells of an ECP5 as far as the chip uses them, and a bench that prints what is at the pins in the middle of each bit.
-const BENCH: &str = include_str!("dvi_bench.v");
-
 #[test]
 fn the_verilog_without_models_sends_the_same_at_both_edges() {
-    if skipped_without(&["iverilog", "vvp"]).is_some() {
-        return;
+    if let Some(lines) = pins::of_verilog(&VGA, 4 * 800 * 10) {
+        has_lines_of_vga(&received(&lines).unwrap());
     }
-    let folder = tempfile::tempdir().unwrap();
-    let text: String = verilog(&elaborate(&VGA).unwrap()).into_iter().map(|file| file.text).collect();
-    std::fs::write(folder.path().join("all.v"), text + BENCH).unwrap();
-    let run = |program: &str, arguments: &[&str]| {
-        let output = Command::new(program).args(arguments).current_dir(folder.path()).output().unwrap();
-        String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
-    };
-    assert_eq!(run("iverilog", &["-g2005", "-s", "bench", "-o", "bench.vvp", "all.v"]), "");
-    let printed = run("vvp", &["-n", "bench.vvp"]);
-    let nibbles: Vec<u32> =
-        printed.trim().trim_start_matches('X').chars().map(|digit| digit.to_digit(16).expect(&printed)).collect();
-    let line = |lane: usize| nibbles.iter().map(|nibble| nibble >> lane & 1 == 1).collect();
-    let lines: Lines = std::array::from_fn(line);
-    has_lines_of_vga(&received(&lines).unwrap());
+}
+
+#[test]
+fn the_netlist_of_yosys_sends_the_same() {
+    if let Some(lines) = pins::of_netlist(&VGA, 4 * 800 * 10) {
+        has_lines_of_vga(&received(&lines).unwrap());
+    }
 }

@@ -1,6 +1,7 @@
 //! The VC-1 on a ULX3S, by what its pins send.
 
 use crate::board::{Board, seen};
+use crate::pins;
 use tilewright_blocks::{Scan, VideoTiming};
 use tilewright_boards::receiver::{Frame, frames, received};
 use tilewright_boards::vc1::{Turning, Vc1OnUlx3s, Vc1Picture, as_shown};
@@ -50,12 +51,22 @@ fn the_board_shows_the_golden_frame() {
     assert!(scene.pages(&top.picture.lfb.patches) <= 128);
     let (line, refresh) = (5 * 800, 5 * 800 * 525);
     let mut board = Board::new(&top);
-    let t = std::time::Instant::now();
     // The first refresh ends with the pulse of frames and its back porch.
     board.skip(refresh - 40 * line);
-    eprintln!("{:?}", t.elapsed());
     board.receive(refresh + 10 * line);
-    eprintln!("{:?}", t.elapsed());
     let frames = frames(&received(&board.lines).unwrap());
     assert_eq!(steps(scene, &frames), [Some(0)]);
+}
+
+/// Yosys and Icarus take minutes: `cargo test -p tilewright-boards --test all netlist -- --ignored`.
+#[test]
+#[ignore = "takes minutes"]
+fn the_netlist_of_a_small_machine_shows_the_golden_frame() {
+    let top = small();
+    let VideoTiming { columns, rows } = &top.timing;
+    let refresh = 10 * (columns.total() * rows.total()) as usize;
+    if let Some(lines) = pins::of_netlist(&top, 2 * refresh + refresh / 4) {
+        let frames = frames(&received(&lines).unwrap());
+        assert_eq!(steps(&top.picture.scene, &frames), [Some(0)]);
+    }
 }

@@ -66,12 +66,21 @@ impl Workspace {
         Ok(Workspace(made?))
     }
 
-    fn read(&self, name: &str) -> Result<Vec<u8>, Failure> {
+    /// Where the files are.
+    pub fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// # Errors
+    /// The tools have left no such file.
+    pub fn read(&self, name: &str) -> Result<Vec<u8>, Failure> {
         std::fs::read(self.0.path().join(name))
             .map_err(|error| Failure::new(Exit::NoTool, format!("the tools have left no {name}: {error}")))
     }
 
-    fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+    /// # Errors
+    /// There is no room.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
         std::fs::write(self.0.path().join(name), bytes).map_err(|error| unwritable(&error))
     }
 
@@ -119,7 +128,7 @@ impl Task<'_> {
         match ended {
             Ended::Well => {}
             Ended::Stopped => return Ok(Outcome::Late),
-            Ended::Badly => return Err(self.failed(space, NEXTPNR_LOG, &self.programs.nextpnr.name)),
+            Ended::Badly => return Err(failed(space, NEXTPNR_LOG, &self.programs.nextpnr.name)),
         }
         let netlist = Netlist::read(&space.read(NETLIST)?, top).map_err(unreadable)?;
         let clocks = speeds(&netlist, &Sources::of(design, files), space)?;
@@ -137,7 +146,7 @@ impl Task<'_> {
         match yosys.run(space.0.path(), &arguments, YOSYS_LOG, |_| self.in_time())? {
             Ended::Well => Ok(true),
             Ended::Stopped => Ok(false),
-            Ended::Badly => Err(self.failed(space, YOSYS_LOG, &yosys.name)),
+            Ended::Badly => Err(failed(space, YOSYS_LOG, &yosys.name)),
         }
     }
 
@@ -169,17 +178,18 @@ impl Task<'_> {
             false => ControlFlow::Continue(()),
         }
     }
-
-    /// The sentence for a tool that failed: its own last error.
-    fn failed(&self, space: &Workspace, log: &str, program: &str) -> Failure {
-        let said = text(&space.0.path().join(log));
-        let line = said.lines().rev().find(|line| line.contains("ERROR")).or(said.lines().last());
-        let line = line.map_or("it prints nothing", str::trim);
-        Failure::new(Exit::NoTool, format!("{program} fails: {line} (-o FOLDER keeps its log)"))
-    }
 }
 
-fn text(path: &Path) -> String {
+/// The sentence for a tool that failed: its own last error.
+pub fn failed(space: &Workspace, log: &str, program: &str) -> Failure {
+    let said = text(&space.0.path().join(log));
+    let line = said.lines().rev().find(|line| line.contains("ERROR")).or(said.lines().last());
+    let line = line.map_or("it prints nothing", str::trim);
+    Failure::new(Exit::NoTool, format!("{program} fails: {line} (-o FOLDER keeps its log)"))
+}
+
+/// What a log has; nothing if it is not there.
+pub fn text(path: &Path) -> String {
     String::from_utf8_lossy(&std::fs::read(path).unwrap_or_default()).into_owned()
 }
 
@@ -205,7 +215,7 @@ fn resources(device: Device, counts: &[u64], rows: &[Row]) -> Vec<Resource> {
 }
 
 /// What there is too little of: of what is counted, or else of what nextpnr calls otherwise.
-fn lacking(resources: &[Resource], rows: &[Row]) -> Vec<Resource> {
+pub fn lacking(resources: &[Resource], rows: &[Row]) -> Vec<Resource> {
     let short: Vec<Resource> = resources.iter().filter(|it| it.used > it.available).cloned().collect();
     if !short.is_empty() {
         return short;

@@ -1,16 +1,16 @@
 //! `tilewright synth`: what a block takes on an FPGA, and how fast its clocks can be there.
 
 mod catalogue;
-mod device;
-mod flow;
+pub mod device;
+pub mod flow;
 mod netlist;
 mod path;
-mod programs;
+pub mod programs;
 mod reach;
-mod report;
+pub mod report;
 mod sizes;
 mod sources;
-mod timing;
+pub mod timing;
 
 use crate::block::{BlockArguments, blocks, design};
 use crate::names;

@@ -48,6 +48,16 @@ impl Programs {
     }
 }
 
+/// The program that packs a configuration, as the system has it or as a Python package has it.
+///
+/// # Errors
+/// It is not installed.
+pub fn packer(name: &str) -> Result<Program, Failure> {
+    let found = installed(&[name.to_owned(), format!("yowasp-{name}")]).ok_or_else(|| missing(name))?;
+    // No version is asked for, as it is not among the figures.
+    Ok(Program { version: found.clone(), name: found })
+}
+
 /// The first of the programs that is on the search path.
 fn installed(names: &[String]) -> Option<String> {
     names.iter().find(|name| is_installed(name)).cloned()
@@ -56,9 +66,16 @@ fn installed(names: &[String]) -> Option<String> {
 fn missing(program: &str) -> Failure {
     let debian = match program {
         "yosys" | "nextpnr-ice40" => format!(", or apt-get install {program}"),
+        "icepack" => ", or apt-get install fpga-icestorm".to_owned(),
         _ => String::new(),
     };
-    Failure::new(Exit::NoTool, format!("{program} is not installed: pip install yowasp-{program}{debian}"))
+    // The package of a placer has the packer too.
+    let package = match program {
+        "ecppack" => "nextpnr-ecp5",
+        "icepack" => "nextpnr-ice40",
+        _ => program,
+    };
+    Failure::new(Exit::NoTool, format!("{program} is not installed: pip install yowasp-{package}{debian}"))
 }
 
 impl Program {

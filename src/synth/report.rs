@@ -48,7 +48,8 @@ pub struct ClockSpeed {
 }
 
 impl Resource {
-    fn percent(&self) -> f64 {
+    /// The used part of what is available.
+    pub fn percent(&self) -> f64 {
         100.0 * self.used as f64 / self.available.max(1) as f64
     }
 }

@@ -13,6 +13,7 @@ pub struct Timing {
 #[derive(Deserialize)]
 struct Fmax {
     achieved: f64,
+    constraint: f64,
 }
 
 #[derive(Deserialize)]
@@ -40,6 +41,8 @@ pub struct Pin {
 pub struct Clocked<'a> {
     pub net: &'a str,
     pub mhz: f64,
+    /// The frequency that it was to reach.
+    pub wanted: f64,
     pub path: &'a [Step],
 }
 
@@ -55,7 +58,7 @@ impl Timing {
         self.fmax.iter().map(|(net, fmax)| {
             let edge = |text: &str| text.strip_prefix("posedge ").or(text.strip_prefix("negedge ")) == Some(net);
             let path = self.critical_paths.iter().find(|path| edge(&path.from) && edge(&path.to));
-            Clocked { net, mhz: fmax.achieved, path: path.map_or(&[], |path| &path.path) }
+            Clocked { net, mhz: fmax.achieved, wanted: fmax.constraint, path: path.map_or(&[], |path| &path.path) }
         })
     }
 }

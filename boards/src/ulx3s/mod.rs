@@ -19,6 +19,9 @@ pub const SERIAL: Clock = Clock::new("serial", Period::ns(8)).reset(Reset::Power
 /// The pins, as [`Pins::read`](tilewright_gen::Pins::read) takes them.
 pub const PINS: &str = include_str!("../../ulx3s.pins");
 
+/// What loads a bitstream onto the board, until it is switched off.
+pub const LOADER: &str = "openFPGALoader --board ulx3s";
+
 /// Shows a screen on the board's socket: describes the PLL of the lines, the screen, the sender and the pads in the
 /// top `m`. `clocks` are high once the other clocks of the picture run.
 ///

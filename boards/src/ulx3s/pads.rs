@@ -1,12 +1,12 @@
 //! Pins of an ECP5 that send two bits in a clock.
 
 use super::SERIAL;
-use tilewright_hdl::{Foreign, Module, bit, block};
+use tilewright_hdl::{Foreign, Module, bit, block, cat, def};
 
 block! {
     /// A pin of an ECP5 that sends two bits in each clock: the first one while the clock is high.
     ///
-    /// The model shows the first bit in its output, and the second one in its register `second`.
+    /// The model shows the first bit in its output, and both in its register `sent`, the second one above.
     pub struct DoubleRate;
     foreign = Foreign::module("ODDRX1F").clock_of(SERIAL, "SCLK").capitals();
     in DoubleRateIn {
@@ -27,7 +27,7 @@ impl DoubleRate {
     fn build(&self, m: Module, i: DoubleRateIn) -> DoubleRateOut {
         let m = m.on(SERIAL);
         m.ignore(&i.rst);
-        let _ = m.pipe("second", i.d1);
-        DoubleRateOut { q: m.pipe("first", i.d0) }
+        def!(sent = m.pipe(cat![i.d1, i.d0]));
+        DoubleRateOut { q: sent.bit(0) }
     }
 }
