@@ -22,10 +22,9 @@ use tilewright_hdl::Design;
 #[command(after_help = "\
 Examples:
   tilewright bitstream --list
-  tilewright bitstream test-picture --board ulx3s -o out/
 
 The folder gets the bitstream, Verilog, constraints, the script for Yosys, and what the tools print. The same versions of the tools lead to the same bytes.
-A program is called by its own name, or else as its Python package names it, such as yowasp-ecppack. `tilewright bitstream vc1 -o out/` takes some minutes.
+A program is called by its own name, or else as its Python package names it, such as yowasp-ecppack. `tilewright bitstream vc1 --board ulx3s -o out/` takes some minutes.
 
 Without a bitstream it ends so: exit code 1 means that the machine does not fit, or that a clock is slower than the board's. Exit code 4 means that
 a program is not installed, or fails. Its log is kept.")]

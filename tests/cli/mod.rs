@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod bench;
+mod bitstream;
 mod compare;
 mod deferred;
 mod determinism;

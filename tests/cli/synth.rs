@@ -99,7 +99,7 @@ fn what_does_not_fit_or_is_too_slow_is_said() {
 
 /// A folder with programs of those names, each a script for the shell.
 #[cfg(unix)]
-fn with_programs(programs: &[(&str, &str)]) -> Folder {
+pub fn with_programs(programs: &[(&str, &str)]) -> Folder {
     use std::os::unix::fs::PermissionsExt;
     let folder = Folder::new();
     std::fs::create_dir(folder.path("bin")).unwrap();
