@@ -56,7 +56,7 @@ path_without_tools() {
 
 # Tests that take long, most of them of whole frames: by a part of their names.
 long=(campaign:: matrix:: waveforms:: mutation:: cli:: documents:: reproduce:: no_panic::
-    machine::tests model::tests whole:: stereo:: trials:: table:: quadtree::images quadtree::each quadtree::raster::
+    machine::tests model::tests whole:: the_board_shows stereo:: trials:: table:: quadtree::images quadtree::each quadtree::raster::
     vc1_times:: frames:: fuzz:: pixelflow::rasterization pixelflow::shading pixelflow::array:: pixelflow::node:: renderer::tests
     circuits::engine::every_test circuits::quiet::loops_in_which circuits::versions:: lanes::tests::chains)
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 use tilewright_boards::receiver::Lines;
-use tilewright_gen::tools::{skipped_without, sources};
+use tilewright_gen::tools::{skipped, skipped_without, sources};
 use tilewright_gen::verilog;
 use tilewright_hdl::{Block, elaborate};
 
@@ -25,7 +25,11 @@ pub fn of_verilog<B: Block>(top: &B, bits: usize) -> Option<Lines> {
 
 /// What the netlist for an ECP5 sends; `None` without Yosys with its models, or without Icarus.
 pub fn of_netlist<B: Block>(top: &B, bits: usize) -> Option<Lines> {
-    if skipped_without(&["yosys", "iverilog", "vvp"]).is_some() || !Path::new(MODELS).exists() {
+    if skipped_without(&["yosys", "iverilog", "vvp"]).is_some() {
+        return None;
+    }
+    if !Path::new(MODELS).exists() {
+        let _ = skipped(&format!("{MODELS} has no models of cells"));
         return None;
     }
     let (folder, name, files) = printed(top);

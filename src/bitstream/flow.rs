@@ -3,6 +3,7 @@
 use super::family::{Family, family};
 use crate::shell::{Exit, Failure, progress};
 use crate::synth::flow::{Workspace, failed, lacking, text};
+use crate::synth::path::rounded;
 use crate::synth::programs::{Ended, Program, Programs, packer};
 use crate::synth::report::Resource;
 use crate::synth::timing::{Timing, utilisation};
@@ -15,7 +16,6 @@ use tilewright_hdl::Design;
 
 /// What is made, and by which programs.
 pub struct Task {
-    top: &'static Top,
     pub family: Family,
     pub programs: Programs,
     packer: Program,
@@ -58,11 +58,11 @@ const KEPT: [&str; 5] = [SCRIPT, NETLIST, TIMING, YOSYS_LOG, NEXTPNR_LOG];
 impl Task {
     /// # Errors
     /// A program is not installed.
-    pub fn find(top: &'static Top, seed: u32, netlist: bool) -> Result<Task, Failure> {
+    pub fn find(top: &Top, seed: u32, netlist: bool) -> Result<Task, Failure> {
         let family = family(top.device);
         let programs = Programs::find(family.device)?;
         let packer = packer(family.packer)?;
-        Ok(Task { top, family, programs, packer, seed, netlist })
+        Ok(Task { family, programs, packer, seed, netlist })
     }
 
     /// Makes the bitstream of a design from its files, of which the last one has the constraints.
@@ -168,7 +168,7 @@ fn speeds(space: &Workspace) -> Result<Vec<Speed>, Failure> {
         // A net that a buffer of the chip distributes has the buffer's name, too.
         let net = clock.net.trim_start_matches("$glbnet$");
         let name = net.split('$').next().unwrap_or_default().to_owned();
-        Speed { name, mhz: clock.mhz, wanted: clock.wanted }
+        Speed { name, mhz: rounded(clock.mhz, 2), wanted: clock.wanted }
     };
     Ok(timing.clocks().map(speed).collect())
 }

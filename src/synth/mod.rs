@@ -4,7 +4,7 @@ mod catalogue;
 pub mod device;
 pub mod flow;
 mod netlist;
-mod path;
+pub mod path;
 pub mod programs;
 mod reach;
 pub mod report;
