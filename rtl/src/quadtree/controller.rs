@@ -26,15 +26,15 @@ block! {
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
     in(self) VideoControllerIn {
         /// The settings of the read-out.
-        show: Show,
+        show: Show::widths(self.format),
         /// The words sent by the video buffers, row by row of the matrix.
-        words: bits(WORD).of(row(self.format.matrix().processors())),
+        words: bits(self.format.word()).of(row(self.format.matrix().processors())),
     }
     out(self) VideoControllerOut {
         /// The pixel that each video buffer is to send.
         scan: Scan = Scan::widths(self.format).of(row(self.format.matrix().processors())),
         /// Groups of p neighbouring pixels; the last group of a line may extend beyond the line's end.
-        pixels: stream(bits(WORD).of(row(self.format.matrix().columns()))),
+        pixels: stream(bits(self.format.word()).of(row(self.format.matrix().columns()))),
         /// A picture is being read.
         busy: bit(),
     }
@@ -42,13 +42,13 @@ block! {
 
 record! {
     /// The settings of the read-out.
-    pub struct Show {
+    pub struct Show(format: Format) {
         /// High for one clock to read a picture; only while no picture is being read.
         start: bit(),
         /// Each pixel is cleared when it is read; constant while a picture is being read.
         clear: bit(),
         /// The colour of pixels where nothing was drawn.
-        background: bits(24),
+        background: bits(3 * format.precision().colour),
     }
 }
 
@@ -65,7 +65,8 @@ impl VideoController {
         let words = i.words.pack().unpack(grid(q, p));
         let matrix_row = if q == 1 { lit(1, 0) } else { line.trunc(below(q)) };
         def!(arrived_row = m.wire(matrix_row.width()));
-        let blank = cat![lit(24, 0xff_ffff), i.show.background];
+        let depth = self.format.precision().depth;
+        let blank = cat![lit(depth, (1_u64 << depth) - 1), i.show.background];
         let group = words.rows().pick(*arrived_row);
         let (pixels, sent) = m.offer(*arrived, mux(group.all_ones(), blank, group));
         def!(asks = reading & (!arrived | sent));

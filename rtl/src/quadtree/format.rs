@@ -2,21 +2,15 @@
 
 use std::fmt;
 
+use super::banks::{Addresses, Banks};
+use super::precision::Precision;
+use super::spram::Spram;
 use crate::prelude::*;
 
 /// Linear functions of a polygon besides its edges: depth, red, green and blue (k_p of MPG-EQ5).
 pub const PLANES: u32 = 4;
-/// The width of such a function, which is added modulo 2^40: depth is in bits 39..16, a colour in bits 23..16 (facts
-/// E0).
-pub const PLANE: u32 = 40;
-/// The width of an edge function's slopes, signed.
-pub const SLOPE: u32 = 17;
-/// The width of an edge function on the screen, signed.
-const EDGE: u32 = 32;
-/// The width of a position on the screen in pixels, and of a distance there, both signed: twice the widest screen.
-const DISTANCE: u32 = 13;
-/// The largest screen, in pixels along each side.
-const SIDE: u32 = 2048;
+/// How many bits a distance on the screen has beyond those of a position: a sign, and twice the widest screen.
+const BEYOND: u32 = 2;
 
 /// The matrix of video processors: each has every `columns`-th pixel of every `rows`-th line (MPG-SPR).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -66,6 +60,8 @@ pub struct Format {
     matrix: Matrix,
     edges: u32,
     aperture: u32,
+    precision: Precision,
+    banks: Banks,
 }
 
 impl Format {
@@ -82,7 +78,14 @@ impl Format {
     pub fn new(screen: Screen, matrix: Matrix, edges: u32) -> Result<Format, ParameterError> {
         let most = Format::MAX_EDGES;
         if (3..=most).contains(&edges) {
-            return Ok(Format { screen, matrix, edges, aperture: 0 });
+            return Ok(Format {
+                screen,
+                matrix,
+                edges,
+                aperture: 0,
+                precision: Precision::FULL,
+                banks: Banks::TwoPorts,
+            });
         }
         Err(ParameterError(format!("polygons of up to {edges} edges: the limit has to be from 3 to {most}")))
     }
@@ -99,6 +102,50 @@ impl Format {
             return Ok(Format { aperture, ..self });
         }
         Err(ParameterError(format!("an aperture of {aperture} pixels: it has to be even, and from 0 to 8")))
+    }
+
+    /// This format with numbers of other widths than [`Precision::FULL`], for a small machine.
+    ///
+    /// # Errors
+    ///
+    /// As [`Precision::checked`], or the screen is too large for the positions.
+    pub fn with_precision(self, precision: Precision) -> Result<Format, ParameterError> {
+        let (precision, Screen { width, height }) = (precision.checked()?, self.screen);
+        let bits = precision.position;
+        if width.max(height) <= 1 << bits {
+            return Ok(Format { precision, ..self });
+        }
+        Err(ParameterError(format!("positions of {bits} bits: a screen of {width}x{height} pixels needs more")))
+    }
+
+    /// This format, with banks of single-port memories of an iCE40 UltraPlus, [`Banks::Spram`].
+    ///
+    /// # Errors
+    ///
+    /// A word has more bits than such a memory's, or a bank more words. So this comes after [`Format::with_precision`].
+    pub fn with_spram(self) -> Result<Format, ParameterError> {
+        let (word, words) = (self.word(), Addresses::of(self.columns(), self.rows()).depth());
+        if word <= Spram::WORD && words <= 1 << Spram::ADDRESS {
+            return Ok(Format { banks: Banks::Spram, ..self });
+        }
+        Err(ParameterError(format!(
+            "a bank of {words} words of {word} bits: single-port memories have 16384 of 16 bits"
+        )))
+    }
+
+    /// What a bank of a video buffer is made of.
+    pub fn banks(&self) -> Banks {
+        self.banks
+    }
+
+    /// The widths of the numbers.
+    pub fn precision(&self) -> Precision {
+        self.precision
+    }
+
+    /// The width of a pixel's word: its depth above its colour.
+    pub fn word(&self) -> u32 {
+        self.precision.depth + 3 * self.precision.colour
     }
 
     /// The screen.
@@ -138,19 +185,25 @@ impl Format {
 
     /// The width of an edge function in a window, signed.
     pub fn edge_bits(&self) -> u32 {
-        EDGE + self.excess()
+        self.precision.edge + self.excess()
     }
 
     /// The width of a distance in pixels, signed.
     pub fn distance_bits(&self) -> u32 {
-        DISTANCE + self.excess()
+        self.precision.position + BEYOND + self.excess()
     }
 
-    /// The bits that a position in the square window of all samples needs beyond those of the largest screen. It is more
-    /// than 0 if a video processor has far more columns than lines, or the reverse.
+    /// The bits that a position in the square window of all samples needs beyond those of a position on the screen. It
+    /// is more than 0 if a video processor has far more columns than lines, or the reverse.
     fn excess(&self) -> u32 {
         let spacing = self.matrix.columns.max(self.matrix.rows);
-        (self.levels() + spacing.trailing_zeros()).saturating_sub(SIDE.trailing_zeros())
+        (self.levels() + spacing.trailing_zeros()).saturating_sub(self.precision.position)
+    }
+
+    /// The widths of a polygon's bounds.
+    fn bounds(&self) -> Bounds<Width> {
+        let position = bits(self.precision.position);
+        Bounds { left: position, top: position, right: position, bottom: position }
     }
 
     /// The widths of a place: the first and the last sample of a video processor along each axis.
@@ -170,16 +223,26 @@ impl Format {
 
     /// The width of the steps of edge functions between samples that are `spacing` pixels apart.
     fn step(&self, spacing: u32) -> Width {
-        bits(SLOPE - 1 + spacing.trailing_zeros()).of(row(self.edges))
+        bits(self.precision.slope - 1 + spacing.trailing_zeros()).of(row(self.edges))
     }
 }
 
 /// The format as text, for the names of a generator's modules.
 impl fmt::Debug for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Format { screen: Screen { width, height }, matrix: Matrix { columns, rows }, edges, aperture } = self;
+        let Format {
+            screen: Screen { width, height },
+            matrix: Matrix { columns, rows },
+            edges,
+            aperture,
+            precision,
+            banks,
+        } = self;
         let aperture = if *aperture > 0 { format!("_aperture{aperture}") } else { String::new() };
-        write!(f, "{:?}", format!("{width}x{height}_{columns}x{rows}_edges{edges}{aperture}"))
+        let full = *precision == Precision::FULL;
+        let precision = if full { String::new() } else { format!("_{precision:?}") };
+        let banks = if *banks == Banks::TwoPorts { "" } else { "_spram" };
+        write!(f, "{:?}", format!("{width}x{height}_{columns}x{rows}_edges{edges}{aperture}{precision}{banks}"))
     }
 }
 
@@ -199,23 +262,23 @@ bundle! {
 
 record! {
     /// A row of edge functions `a x + b y + c` of whole pixels, at least 0 inside (facts E0, the reduced form).
-    pub struct EdgeFunction(edges: u32) {
+    pub struct EdgeFunction(format: Format) {
         /// Coefficient of x: the increase of the edge function per pixel to the right.
-        a: bits(SLOPE).signed().of(row(edges)),
+        a: bits(format.precision.slope).signed().of(row(format.edges)),
         /// Coefficient of y: the increase of the edge function per line downward.
-        b: bits(SLOPE).signed().of(row(edges)),
+        b: bits(format.precision.slope).signed().of(row(format.edges)),
         /// The value of the edge function at the upper left pixel.
-        c: bits(EDGE).signed().of(row(edges)),
+        c: bits(format.precision.edge).signed().of(row(format.edges)),
     }
 
-    /// A row of linear functions of whole pixels, modulo 2^40: depth, red, green, blue.
-    pub struct Plane {
+    /// A row of linear functions of whole pixels, added modulo a power of two: depth, red, green, blue.
+    pub struct Plane(format: Format) {
         /// Coefficient of x: the increase of the plane per pixel to the right.
-        x: bits(PLANE).of(row(PLANES)),
+        x: bits(format.precision.plane).of(row(PLANES)),
         /// Coefficient of y: the increase of the plane per line downward.
-        y: bits(PLANE).of(row(PLANES)),
+        y: bits(format.precision.plane).of(row(PLANES)),
         /// The value of the plane at the upper left pixel, plus half a unit for rounding.
-        origin: bits(PLANE).of(row(PLANES)),
+        origin: bits(format.precision.plane).of(row(PLANES)),
     }
 
     /// A convex polygon, as the geometry processor sends it to all video processors.
@@ -223,11 +286,11 @@ record! {
         /// The number of the polygon's edges, less one.
         last_edge: below(Format::MAX_EDGES),
         /// The edge functions of the polygon; those beyond the last edge are ignored.
-        edges: EdgeFunction::widths(format.edges),
+        edges: EdgeFunction::widths(format),
         /// The attributes of the polygon.
-        planes: Plane,
+        planes: Plane::widths(format),
         /// The pixels whose centres lie within the extent of the polygon's vertices along each axis.
-        bounds: Bounds { left: below(SIDE), top: below(SIDE), right: below(SIDE), bottom: below(SIDE) },
+        bounds: Bounds = format.bounds(),
     }
 
     /// The values that all windows of a polygon share, for the samples of one video processor.
@@ -243,9 +306,9 @@ record! {
         /// Whether each edge function is greatest at the lower side of a window.
         lower: bit().of(row(format.edges)),
         /// The increase of each plane per sample to the right.
-        plane_x: bits(PLANE).of(row(PLANES)),
+        plane_x: bits(format.precision.plane).of(row(PLANES)),
         /// The increase of each plane per sample downward.
-        plane_y: bits(PLANE).of(row(PLANES)),
+        plane_y: bits(format.precision.plane).of(row(PLANES)),
     }
 
     /// A square window of samples, with the values at its place.
@@ -261,7 +324,7 @@ record! {
         /// How far the window extends inward past each bound of the polygon, in pixels; negative if it lies outside the bound.
         bounds: Bounds = format.place(),
         /// The value of each plane at the window's upper left sample.
-        planes: bits(PLANE).of(row(PLANES)),
+        planes: bits(format.precision.plane).of(row(PLANES)),
     }
 
     /// A window, and the polygon that may cover it.

@@ -48,7 +48,7 @@ block! {
         /// High for one clock to swap the banks; only when idle and while no picture is being read.
         swap: bit(),
         /// The settings of the read-out.
-        show: Show,
+        show: Show::widths(self.format()),
         /// The unit whose counters are read.
         probe: pub struct Probe {
             /// The number of the probed video processor, row by row.
@@ -59,7 +59,7 @@ block! {
     }
     out(self) QuadtreeGeneratorOut {
         /// Groups of p neighbouring pixels, line by line; pixels beyond the end of a line are to be ignored.
-        pixels: stream(bits(WORD).of(row(self.format().matrix().columns()))),
+        pixels: stream(bits(self.format().word()).of(row(self.format().matrix().columns()))),
         /// No polygon is under way.
         idle: bit(),
         /// A picture is being read.

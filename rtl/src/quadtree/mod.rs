@@ -15,17 +15,18 @@
 //!
 //! | file | contents |
 //! |---|---|
-//! | [`mod@format`] | the sizes, and the records: packets, windows, polygons |
+//! | [`mod@format`], [`precision`] | the sizes, and the records: packets, windows, polygons |
 //! | [`set_up`] | converts a polygon of the screen to a video processor's samples |
 //! | [`coverage_test`] | the unit that tests quarters |
 //! | [`divider`], [`stack`], [`pipe`], [`tree`], [`raster`] | raster processors made of such units |
-//! | [`pixel`], [`video_buffer`] | fragments, and stored pixels |
+//! | [`pixel`], [`video_buffer`], [`banks`], [`spram`] | fragments, and stored pixels |
 //! | [`processor`], [`controller`], [`generator`] | a video processor, the read-out, the whole machine |
 //! | [`tally`] | the units' counters |
 //!
 //! The units' busy clocks are those of the paper's cost model (MPG-EQ5, [`coverage_test`]). Clocks in which a result
 //! waits are counted separately.
 
+pub mod banks;
 pub mod controller;
 pub mod coverage_test;
 pub mod divider;
@@ -35,9 +36,11 @@ mod lanes;
 pub(crate) mod model;
 pub mod pipe;
 pub mod pixel;
+pub mod precision;
 pub mod processor;
 pub mod raster;
 pub mod set_up;
+pub mod spram;
 pub mod stack;
 pub mod tally;
 #[cfg(test)]

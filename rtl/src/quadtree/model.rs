@@ -2,7 +2,7 @@
 //! (MPG-WIN, MPG-SPR, facts E0).
 
 use super::coverage_test::Test;
-use super::format::{Bounds, EdgeFunction, Format, PLANE, PLANES, Packet, Plane, Polygon, Window, Work};
+use super::format::{Bounds, EdgeFunction, Format, PLANES, Packet, Plane, Polygon, Window, Work};
 use crate::prelude::*;
 
 /// A convex polygon of the screen.
@@ -115,7 +115,10 @@ impl Raster {
         };
         let [x, y] = self.pixel(window.x, window.y).map(|at| at as u64);
         let plane = |value: &dyn Fn([u64; 3]) -> u64| {
-            lanes(widths.window.planes, polygon.planes.iter().map(|plane| (value(*plane) & ((1 << PLANE) - 1)) as i64))
+            lanes(
+                widths.window.planes,
+                polygon.planes.iter().map(|plane| (value(*plane) & ((1 << format.precision().plane) - 1)) as i64),
+            )
         };
         let (p, q) = (matrix.columns(), matrix.rows());
         Work {

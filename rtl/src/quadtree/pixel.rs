@@ -44,7 +44,7 @@ record! {
         /// The fragment's line among those of the video processor.
         y: below(format.rows()),
         /// The word of the fragment: depth above colour.
-        word: bits(WORD),
+        word: bits(format.word()),
     }
 }
 
@@ -53,9 +53,10 @@ impl PixelProcessor {
         m.ignore(&i.leaves); // without an aperture, the edges are not used
         let leaf = i.leaves.take_when(1);
         let window = leaf.window;
+        let of = self.format.precision();
         let part = |plane: u32, low: u32, width: u32| window.planes.lane(plane).part(low, width);
-        let colour = |plane: u32| part(plane, 16, 8);
-        def!(word = cat![part(0, 16, 24), colour(1), colour(2), colour(3)]);
+        let colour = |plane: u32| part(plane, of.colour_from(), of.colour);
+        def!(word = cat![part(0, of.depth_from(), of.depth), colour(1), colour(2), colour(3)]);
         def!(covered = self.covers(&leaf));
         let valid = m.reg("fragment_valid", bit()).reset(0);
         valid.next(leaf.taken & covered);

@@ -68,7 +68,7 @@ block! {
     }
     out(self) VideoProcessorOut {
         /// The word sent to the video controller.
-        word: bits(WORD),
+        word: bits(self.format.word()),
         /// No polygon is under way.
         idle: bit(),
         /// The counters of the set-up, and of each level of the raster processor.

@@ -14,8 +14,9 @@
 //! Latency and throughput: a packet takes as many clocks as it has edges, but at least 4, one for each plane. The root
 //! is offered in the last of them, and waits for its receiver.
 
-use super::format::{Bounds, Format, Matrix, PLANE, PLANES, Packet, Polygon, SLOPE, Window, Work};
+use super::format::{Bounds, Format, Matrix, PLANES, Packet, Polygon, Window, Work};
 use super::lanes::{lane_by_lane, numbers};
+use super::precision::Precision;
 use super::tally::Tally;
 use crate::prelude::*;
 
@@ -46,6 +47,7 @@ block! {
 impl SetUp {
     fn build(&self, m: Module, i: SetUpIn) -> SetUpOut {
         let (matrix, place) = (self.format.matrix(), i.place);
+        let Precision { slope: slope_bits, plane: plane_bits, .. } = self.format.precision();
         def!(step = m.reg(below(Format::MAX_EDGES)).reset(0));
         let Packet { last_edge, edges, planes, bounds } = i.packets.payload;
         let works = i.packets.valid;
@@ -58,7 +60,11 @@ impl SetUp {
         def!(right = !a.is_negative());
         def!(lower = !b.is_negative());
         let bits = self.format.edge_bits();
-        let along = |slope: Signal, end: Signal| slope.times(end).sext(bits);
+        let along = |slope: Signal, end: Signal| match slope.times(end) {
+            // The sum is what counts, and that is in range.
+            product if product.width() > bits => product.trunc(bits),
+            product => product.sext(bits),
+        };
         let at_x = along(a, mux(right, place.right, place.left));
         let at_y = along(b, mux(lower, place.bottom, place.top));
         def!(value = edges.c.pick(*step).sext(bits) + at_x + at_y);
@@ -68,8 +74,8 @@ impl SetUp {
             mux(is_edge, row, 0)
         };
         let decrease = |slope: Signal, spacing: u32| {
-            let size = mux(slope.is_negative(), -slope, slope).bits().trunc(SLOPE - 1);
-            times_power_of_two(size.zext(SLOPE - 1 + spacing.trailing_zeros()), spacing)
+            let size = mux(slope.is_negative(), -slope, slope).bits().trunc(slope_bits - 1);
+            times_power_of_two(size.zext(slope_bits - 1 + spacing.trailing_zeros()), spacing)
         };
 
         // A plane: its value at the first sample, and its increase per sample.
@@ -77,7 +83,7 @@ impl SetUp {
         let (column, line) = (offset(place.left), offset(place.top));
         def!(plane_x = planes.x.pick(*step));
         def!(plane_y = planes.y.pick(*step));
-        let times = |plane: Signal, offset: Signal| plane.times(offset).trunc(PLANE);
+        let times = |plane: Signal, offset: Signal| plane.times(offset).trunc(plane_bits);
         def!(plane = planes.origin.pick(*step) + times(plane_x, column) + times(plane_y, line));
         let plane_row = |name: &str, value: Signal| lane_by_lane(m, name, PLANES, works, *step, value).row;
 

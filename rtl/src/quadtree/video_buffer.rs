@@ -12,10 +12,11 @@
 //! Each bank has one read and one write a clock; the write address is the read address of the previous clock. In the
 //! bank being drawn, the word read is compared with the fragment. The smaller one, which is the nearer, is kept (facts
 //! E0). In strict mode a fragment is kept only if its depth is smaller, so the first of equal depths stays. In the other
-//! bank the word read is sent. [`empty`] replaces it if the picture is cleared for the next frame.
+//! bank the word read is sent. A word of ones, the farthest, replaces it if the picture is cleared for the next frame.
 //!
 //! Latency: 2 clocks to draw, 1 to send; a fragment a clock, a word a clock.
 
+use super::banks::{Addresses, Bank};
 use super::format::Format;
 use super::pixel::Fragment;
 use crate::prelude::*;
@@ -39,9 +40,9 @@ block! {
         /// The pixel of the other bank to send.
         scan: Scan::widths(self.format),
     }
-    out VideoBufferOut {
+    out(self) VideoBufferOut {
         /// The word sent to the video controller.
-        word: bits(WORD),
+        word: bits(self.format.word()),
     }
 }
 
@@ -61,20 +62,21 @@ record! {
 
 impl VideoBuffer {
     fn build(&self, m: Module, i: VideoBufferIn) -> VideoBufferOut {
-        let depth = self.format.rows() << below(self.format.columns()).bits();
-        let address = |x: Signal, y: Signal| cat![y, x].trunc(below(depth));
-        def!(drawn = address(i.draw.x, i.draw.y));
-        def!(shown = address(i.scan.x, i.scan.y));
+        let (bits, colour) = (self.format.word(), 3 * self.format.precision().colour);
+        let empty = lit(bits, (1_u64 << bits) - 1);
+        let addresses = Addresses::of(self.format.columns(), self.format.rows());
+        def!(drawn = addresses.at(i.draw.x, i.draw.y));
+        def!(shown = addresses.at(i.scan.x, i.scan.y));
         let word = m.pipe_when(i.draw.valid, "drawn_word", i.draw.word);
         def!(sent_of = m.pipe_when(i.scan.enable, !i.back));
 
         let words = [0, 1].map(|number| {
-            let bank = m.memory(&format!("bank{number}"), depth, WORD, ReadUnderWrite::Any).fill(empty());
             let name = |what: &str| format!("{what}{number}");
             let is_back = i.back.eq(number).named(&name("is_back"));
             let reads = mux(is_back, i.draw.valid, i.scan.enable).named(&name("reads"));
             let at = mux(is_back, drawn, shown).named(&name("address"));
-            let read = bank.read_when(reads, at);
+            let bank = Bank { m, name: name("bank"), depth: addresses.depth(), word: bits };
+            let (read, writer) = bank.read_when(self.format.banks(), reads, at);
 
             // The word written at that address a clock later; if the address is read at the same edge, the word is
             // forwarded.
@@ -83,13 +85,13 @@ impl VideoBuffer {
             let draws = m.pipe_when(reads, &name("draws"), is_back);
             let place = m.pipe_when(reads, &name("place"), at);
             let passes = m.reg(&name("passes"), bit());
-            let passed = m.reg(&name("passed"), WORD);
+            let passed = m.reg(&name("passed"), bits);
             let old = mux(passes, passed, read).named(&name("old"));
-            let depth_of = |word: Signal| word.slice(24..WORD);
+            let depth_of = |word: Signal| word.slice(colour..bits);
             let is_nearer = mux(i.strict, depth_of(word).lt(depth_of(old)), word.lt(old));
-            let written = mux(draws, word, empty());
+            let written = mux(draws, word, empty);
             let write = (writes & (!draws | is_nearer)).named(&name("write"));
-            bank.write(write, place, written);
+            writer.write(write, place, written);
             passes.enable(reads).next(write & place.eq(at));
             passed.enable(reads).next(written);
             old
