@@ -1,7 +1,9 @@
 #![doc = include_str!("../README.md")]
 
 mod dvi;
+pub mod icebreaker;
 mod picture;
+pub mod quadtree;
 pub mod receiver;
 mod screen;
 mod test_picture;

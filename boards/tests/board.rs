@@ -1,5 +1,6 @@
 //! A simulated board.
 
+use tilewright_boards::icebreaker::{PIXEL, Pmod};
 use tilewright_boards::receiver::{Lines, Seen, received};
 use tilewright_boards::ulx3s::SERIAL;
 use tilewright_hdl::{Block, elaborate};
@@ -43,4 +44,19 @@ pub fn seen<B: Block>(top: &B, clocks: usize) -> Vec<Seen> {
     board.receive(clocks);
     assert_eq!(board.sim.peek("locked").unwrap(), 1);
     received(&board.lines).unwrap()
+}
+
+/// What a PMOD of an iCEBreaker takes in clocks of the pixels. A pixel's lower bits are 0.
+pub fn seen_of_pmod<B: Block<Out = Pmod>>(top: &B, clocks: usize) -> Vec<Seen> {
+    let mut sim = Simulation::of(top).unwrap().seeded(5);
+    let pins = sim.o;
+    let seen = (0..clocks).map(|_| {
+        sim.step_clock(PIXEL, 1);
+        let mut pin = |port| sim.get_u64(port);
+        match pin(pins.active) {
+            1 => Seen::Pixel([pins.red, pins.green, pins.blue].map(|port| (pin(port) << 4) as u8)),
+            _ => Seen::Blank { hsync: pin(pins.hsync) == 1, vsync: pin(pins.vsync) == 1 },
+        }
+    });
+    seen.collect()
 }

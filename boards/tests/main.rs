@@ -3,5 +3,6 @@
 mod board;
 mod chips;
 mod pins;
+mod quadtree;
 mod test_picture;
 mod vc1;

@@ -9,8 +9,8 @@ use crate::prelude::*;
 pub enum Banks {
     /// A memory that reads a word and writes another one in each clock, as block RAMs do.
     TwoPorts,
-    /// A single-port memory of an iCE40 UltraPlus: up to 16,384 words of 16 bits. It reads or writes in a clock, so two
-    /// reads are at least two clocks apart. Its words are unknown at the start.
+    /// Single-port memories of an iCE40 UltraPlus: 16,384 words of 16 bits each. They read or write in a clock, so two
+    /// reads are at least two clocks apart. Their words are unknown at the start.
     Spram,
 }
 
@@ -88,18 +88,35 @@ impl Bank {
                 let place = m.wire(&format!("{name}_place"), at.width());
                 let written = m.wire(&format!("{name}_written"), word);
                 m.assert(!(reads & *write), "a bank with one port is not read and written in the same clock");
-                let ram = SpramIn {
-                    address: mux(*write, *place, at).zext(Spram::ADDRESS),
-                    datain: written.zext(Spram::WORD),
-                    chipselect: reads | *write,
-                    wren: *write,
-                    ..Spram::awake()
+                // Words beyond those of one memory are in the next ones.
+                let count = depth.div_ceil(1 << Spram::ADDRESS);
+                let address = mux(*write, *place, at);
+                let number = |address: Signal| match count {
+                    1 => lit(1, 0),
+                    _ => address.part(Spram::ADDRESS, address.width() - Spram::ADDRESS),
                 };
-                let ram = m.instance(&format!("u_{name}"), &Spram, ram);
+                let low = |address: Signal| match count {
+                    1 => address.zext(Spram::ADDRESS),
+                    _ => address.part(0, Spram::ADDRESS),
+                };
+                let shown = m.pipe_when(reads, &format!("{name}_number"), number(at));
+                let words = (0..count).map(|memory| {
+                    let ram = SpramIn {
+                        address: low(address),
+                        datain: written.zext(Spram::WORD),
+                        chipselect: (reads | *write) & number(address).eq(memory),
+                        wren: *write,
+                        ..Spram::awake()
+                    };
+                    let ram = m.instance(&format!("u_{name}_{memory}"), &Spram, ram);
+                    (memory, ram.dataout.trunc(word))
+                });
+                let words: Vec<(u32, Signal)> = words.collect();
+                let arrived = case(shown, words[1..].iter().copied(), words[0].1);
                 // A write takes the word from the output.
                 let arrives = m.pipe(&format!("{name}_arrives"), reads);
                 let kept = m.reg(&format!("{name}_kept"), word);
-                let read = mux(arrives, ram.dataout.trunc(word), *kept);
+                let read = mux(arrives, arrived, *kept);
                 kept.when(arrives, read);
                 (read, Writer::Spram { write, place, written })
             }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::banks::{Addresses, Banks};
+use super::banks::Banks;
 use super::precision::Precision;
 use super::spram::Spram;
 use crate::prelude::*;
@@ -122,15 +122,13 @@ impl Format {
     ///
     /// # Errors
     ///
-    /// A word has more bits than such a memory's, or a bank more words. So this comes after [`Format::with_precision`].
+    /// A word has more bits than such a memory's. So this comes after [`Format::with_precision`].
     pub fn with_spram(self) -> Result<Format, ParameterError> {
-        let (word, words) = (self.word(), Addresses::of(self.columns(), self.rows()).depth());
-        if word <= Spram::WORD && words <= 1 << Spram::ADDRESS {
+        let (word, most) = (self.word(), Spram::WORD);
+        if word <= most {
             return Ok(Format { banks: Banks::Spram, ..self });
         }
-        Err(ParameterError(format!(
-            "a bank of {words} words of {word} bits: single-port memories have 16384 of 16 bits"
-        )))
+        Err(ParameterError(format!("words of {word} bits in single-port memories: they have to have {most} or fewer")))
     }
 
     /// What a bank of a video buffer is made of.

@@ -1,0 +1,116 @@
+//! The packets of all steps as the words of a memory.
+
+use std::fmt;
+
+use tilewright_hdl::{Bits, Signal, row};
+use tilewright_rtl::quadtree::format::{Bounds, EdgeFunction, Format, PLANES, Packet, Plane as Planes};
+use tilewright_scenes::{Plane, Triangle};
+
+use super::turning::Step;
+
+/// The edges of each packet.
+const EDGES: u32 = 3;
+
+/// Packets of triangles in a memory, one behind the other in words of the same width, the lowest bits first.
+///
+/// A packet has its fields in the sequence of the [`Packet`], the first in the lowest bits, without the number of its
+/// edges. The bit above them is high in the last packet of a step.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Store {
+    format: Format,
+    word: u32,
+    words: Vec<Bits>,
+}
+
+/// Not the words: the text is a part of modules' names and headers.
+impl fmt::Debug for Store {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // FNV-1a.
+        let mix = |sum: u32, limb: &u64| (sum ^ (limb ^ (limb >> 32)) as u32).wrapping_mul(0x0100_0193);
+        let sum = self.words.iter().flat_map(|word| word.limbs()).fold(0x811c_9dc5, mix);
+        write!(f, "\"{}_words_{sum:08x}\"", self.words.len())
+    }
+}
+
+impl Store {
+    /// The packets of these steps, in words of that width.
+    pub fn new(format: Format, steps: &[Step], word: u32) -> Store {
+        let mut store = Store { format, word, words: Vec::new() };
+        for step in steps {
+            for (number, packet) in step.packets.iter().enumerate() {
+                store.push(packet, number + 1 == step.packets.len());
+            }
+        }
+        store
+    }
+
+    /// The width of a word.
+    pub fn word(&self) -> u32 {
+        self.word
+    }
+
+    /// The words.
+    pub fn words(&self) -> &[Bits] {
+        &self.words
+    }
+
+    /// The words of a packet.
+    pub fn words_of_packet(&self) -> u32 {
+        (self.bits_of_packet() + 1).div_ceil(self.word)
+    }
+
+    /// The number of packets.
+    pub fn packets(&self) -> u32 {
+        self.words.len() as u32 / self.words_of_packet()
+    }
+
+    fn push(&mut self, packet: &Triangle, is_last: bool) {
+        let precision = self.format.precision();
+        let mut fields = Vec::new();
+        let mut put = |number: i64, bits: u32| fields.push(Bits::from_i128(bits, number.into()));
+        packet.edges.iter().for_each(|edge| put(edge.a.into(), precision.slope));
+        packet.edges.iter().for_each(|edge| put(edge.b.into(), precision.slope));
+        packet.edges.iter().for_each(|edge| put(edge.c.into(), precision.edge));
+        let [red, green, blue] = packet.rgb;
+        let planes = [(packet.z, precision.cut_of_depth())]
+            .into_iter()
+            .chain([red, green, blue].map(|plane| (plane, precision.cut_of_colour())));
+        for number in 0..3 {
+            let of = |plane: Plane| [plane.x, plane.y, plane.origin][number];
+            planes.clone().for_each(|(plane, cut)| put((of(plane) >> cut) as i64, precision.plane));
+        }
+        let bounds = packet.bounds;
+        for bound in [bounds.left, bounds.top, bounds.right, bounds.bottom] {
+            put(bound.into(), precision.position);
+        }
+        put(is_last.into(), 1);
+        let (count, word) = (self.words_of_packet(), self.word);
+        let all = fields.into_iter().reduce(|low, high| high.concat(&low)).expect("a packet has fields");
+        let all = all.resize(count * word);
+        self.words.extend((0..count).map(|number| all.slice(number * word..(number + 1) * word)));
+    }
+
+    fn bits_of_packet(&self) -> u32 {
+        let precision = self.format.precision();
+        EDGES * (2 * precision.slope + precision.edge) + 3 * PLANES * precision.plane + 4 * precision.position
+    }
+
+    /// The packet in its words side by side, and whether it is the last of its step.
+    pub(super) fn packet(&self, words: Signal) -> (Packet, Signal) {
+        let precision = self.format.precision();
+        let mut at = 0;
+        let mut take = |bits: u32, lanes: u32| {
+            at += bits * lanes;
+            words.part(at - bits * lanes, bits * lanes)
+        };
+        let mut of_edges = |bits: u32| take(bits, EDGES).unpack(row(EDGES)).signed();
+        let edges =
+            EdgeFunction { a: of_edges(precision.slope), b: of_edges(precision.slope), c: of_edges(precision.edge) };
+        let mut plane = || take(precision.plane, PLANES).unpack(row(PLANES));
+        let planes = Planes { x: plane(), y: plane(), origin: plane() };
+        let mut bound = || take(precision.position, 1);
+        let bounds = Bounds { left: bound(), top: bound(), right: bound(), bottom: bound() };
+        let last_edge = tilewright_hdl::lit(Packet::widths(self.format).last_edge.bits(), EDGES - 1);
+        (Packet { last_edge, edges, planes, bounds }, take(1, 1))
+    }
+}

@@ -1,0 +1,123 @@
+//! The machine on boards.
+
+use tilewright_blocks::VideoTiming;
+use tilewright_hdl::{Module, bit, block, row};
+use tilewright_rtl::parameter::{ParameterError, Screen as Pixels};
+use tilewright_rtl::quadtree::coverage_test::Test;
+use tilewright_rtl::quadtree::format::{Format, Matrix};
+use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
+use tilewright_rtl::quadtree::precision::Precision;
+use tilewright_rtl::quadtree::processor::{Queues, VideoProcessor};
+use tilewright_rtl::quadtree::raster::Form;
+
+use super::picture::QuadtreePicture;
+use super::store::Store;
+use super::turning::{Step, Turning};
+use crate::icebreaker::{self, Pmod};
+use crate::screen::Screen;
+use crate::ulx3s;
+
+/// A machine for a board, with what it draws.
+#[derive(Debug, Clone)]
+pub struct OnBoard {
+    /// The machine as a picture.
+    pub picture: QuadtreePicture,
+    /// What it draws in each step.
+    pub steps: Vec<Step>,
+}
+
+/// What a board's machine has besides its format.
+struct Build<'a> {
+    form: &'a str,
+    test: Test,
+    queues: Queues,
+    /// The width of the store's words.
+    word: u32,
+    refreshes: u32,
+    scale: u32,
+}
+
+impl Build<'_> {
+    fn machine(&self, format: Format, turning: &Turning) -> Result<OnBoard, ParameterError> {
+        let Build { test, queues, word, refreshes, scale, .. } = *self;
+        let steps = turning.set_up(&format)?;
+        let form = Form::parse(self.form, &format)?;
+        let generator = QuadtreeGenerator { video_processor: VideoProcessor { format, form, test, queues } };
+        let store = Store::new(format, &steps, word);
+        let blank = tilewright_scenes::frame::blank(turning.scene.background);
+        let background = format.precision().stored(blank) & ((1 << (3 * format.precision().colour)) - 1);
+        let picture = QuadtreePicture { generator, store, background, refreshes, scale, clock: None };
+        Ok(OnBoard { picture, steps })
+    }
+}
+
+/// The machine for a ULX3S: 4 x 4 video processors, with words of 18 bits. Its scene is as large as the machine's memory
+/// allows.
+///
+/// # Errors
+///
+/// The scene does not fit the machine's numbers.
+pub fn for_ulx3s(pixels: Pixels, turning: &Turning) -> Result<OnBoard, ParameterError> {
+    let precision = Precision { position: 9, slope: 14, edge: 23, plane: 20, depth: 9, colour: 3 };
+    let format = Format::new(pixels, Matrix::new(4, 4)?, 3)?.with_precision(precision)?;
+    let queues = Queues { broadcast: 1, packets: 1, windows: 1 };
+    Build { form: "stack", test: Test::Serial, queues, word: 108, refreshes: 8, scale: 1 }.machine(format, turning)
+}
+
+/// The machine for an iCEBreaker: one video processor, with words of 16 bits in single-port memories.
+///
+/// # Errors
+///
+/// The scene does not fit the machine's numbers.
+pub fn for_icebreaker(pixels: Pixels, turning: &Turning) -> Result<OnBoard, ParameterError> {
+    let precision = Precision { position: 8, slope: 12, edge: 20, plane: 16, depth: 7, colour: 3 };
+    let format = Format::new(pixels, Matrix::new(1, 1)?, 3)?.with_precision(precision)?.with_spram()?;
+    let queues = Queues { broadcast: 1, packets: 1, windows: 1 };
+    let build = Build { form: "stack", test: Test::Serial, queues, word: 64, refreshes: 8, scale: 2 };
+    let mut on_board = build.machine(format, turning)?;
+    on_board.picture.clock = Some(icebreaker::MACHINE);
+    Ok(on_board)
+}
+
+block! {
+    /// The machine on a ULX3S.
+    pub struct QuadtreeOnUlx3s {
+        /// The machine as a picture.
+        pub picture: QuadtreePicture,
+        /// The timing of the screen: [`VideoTiming::VGA`] on the board, others in tests.
+        pub timing: VideoTiming,
+    }
+    name = "quadtree";
+    out QuadtreeOnUlx3sOut {
+        /// Blue, green, red and the clock.
+        tmds: bit().of(row(4)),
+        /// The PLL has locked.
+        locked: bit(),
+    }
+}
+
+impl QuadtreeOnUlx3s {
+    fn build(&self, m: Module, (): ()) -> QuadtreeOnUlx3sOut {
+        let screen = Screen { picture: self.picture.clone(), timing: self.timing.clone(), double: false };
+        let (tmds, locked) = ulx3s::show(m, &screen, &[]);
+        QuadtreeOnUlx3sOut { tmds, locked }
+    }
+}
+
+block! {
+    /// The machine on an iCEBreaker.
+    pub struct QuadtreeOnIcebreaker {
+        /// The machine as a picture.
+        pub picture: QuadtreePicture,
+        /// The timing of the screen: [`VideoTiming::VGA`] on the board, others in tests.
+        pub timing: VideoTiming,
+    }
+    name = "quadtree";
+    out = Pmod;
+}
+
+impl QuadtreeOnIcebreaker {
+    fn build(&self, m: Module, (): ()) -> Pmod {
+        icebreaker::show(m, &Screen { picture: self.picture.clone(), timing: self.timing.clone(), double: false })
+    }
+}
