@@ -46,10 +46,13 @@ pub fn seen<B: Block>(top: &B, clocks: usize) -> Vec<Seen> {
     received(&board.lines).unwrap()
 }
 
-/// What a PMOD of an iCEBreaker takes in clocks of the pixels. A pixel's lower bits are 0.
-pub fn seen_of_pmod<B: Block<Out = Pmod>>(top: &B, clocks: usize) -> Vec<Seen> {
+/// What a PMOD of an iCEBreaker takes in clocks of the pixels, after others. A pixel's lower bits are 0.
+pub fn seen_of_pmod<B: Block<Out = Pmod>>(top: &B, after: usize, clocks: usize) -> Vec<Seen> {
     let mut sim = Simulation::of(top).unwrap().seeded(5);
     let pins = sim.o;
+    if after > 0 {
+        sim.step_clock(PIXEL, after as u64);
+    }
     let seen = (0..clocks).map(|_| {
         sim.step_clock(PIXEL, 1);
         let mut pin = |port| sim.get_u64(port);

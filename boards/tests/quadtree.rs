@@ -1,11 +1,12 @@
 //! The quadtree generator on boards, by what the pins send.
 
-use crate::board::{seen, seen_of_pmod};
+use crate::board::{Board, seen, seen_of_pmod};
 use tilewright_blocks::{Scan, VideoTiming};
 use tilewright_boards::quadtree::{
-    OnBoard, QuadtreeOnIcebreaker, QuadtreeOnUlx3s, Step, cube, for_icebreaker, for_ulx3s, shown,
+    OnBoard, QuadtreeOnIcebreaker, QuadtreeOnUlx3s, Step, cube, for_icebreaker, for_ulx3s, quadtree_on_icebreaker,
+    quadtree_on_ulx3s, shown,
 };
-use tilewright_boards::receiver::{Frame, frames};
+use tilewright_boards::receiver::{Frame, frames, received};
 use tilewright_rtl::parameter::Screen;
 
 /// A screen of that size, with short blankings.
@@ -52,23 +53,48 @@ fn a_ulx3s_shows_the_golden_pictures_of_a_turning_scene() {
     }
 }
 
+/// What a PMOD takes of it: the upper four bits of each channel.
+fn upper(frame: Frame) -> Frame {
+    frame.into_iter().map(|row| row.into_iter().map(|colour| colour.map(|channel| channel & 0xf0)).collect()).collect()
+}
+
 #[test]
 fn an_icebreaker_shows_the_golden_pictures_of_a_turning_scene() {
     let OnBoard { mut picture, steps } = for_icebreaker(Screen { width: 40, height: 24 }, &cube(5)).unwrap();
     picture.refreshes = 2;
     let top = QuadtreeOnIcebreaker { picture, timing: small(160, 96) };
-    let frames = frames(&seen_of_pmod(&top, 10 * clocks(160, 96)));
-    // The PMOD takes the upper four bits.
-    let upper = |step: &Step| {
-        on_screen(step, 4, 3)
-            .into_iter()
-            .map(|row| row.into_iter().map(|it| it.map(|c| c & 0xf0)).collect())
-            .collect::<Frame>()
-    };
+    let frames = frames(&seen_of_pmod(&top, 0, 10 * clocks(160, 96)));
     // The memories are unknown at the start, so the first frames are noise until both are cleared.
-    let begin = frames.iter().position(|frame| *frame == upper(&steps[0])).expect("the first step is shown");
-    let shown = [&frames[begin], &frames[begin + 2], &frames[begin + 4]];
-    for (number, frame) in shown.into_iter().enumerate() {
-        assert!(*frame == upper(&steps[number]), "step {number}");
+    let wanted = |step: usize| upper(on_screen(&steps[step], 4, 3));
+    let begin = frames.iter().position(|frame| *frame == wanted(0)).expect("the first step is shown");
+    assert_eq!(frames[..begin].len(), 4);
+    for (number, shown) in frames[begin..].chunks(2).enumerate() {
+        assert!(shown.iter().all(|frame| *frame == wanted(number)), "step {number}");
     }
+}
+
+/// The clocks of a line and of a refresh of the boards.
+const LINE: usize = 800;
+const REFRESH: usize = 525 * LINE;
+
+/// Two refreshes show nothing yet, and the third one the first step.
+#[test]
+fn the_machine_of_the_ulx3s_shows_a_golden_frame() {
+    let OnBoard { mut picture, steps } = quadtree_on_ulx3s().unwrap();
+    picture.refreshes = 2;
+    let mut board = Board::new(&QuadtreeOnUlx3s { picture, timing: VideoTiming::VGA });
+    board.skip(5 * (3 * REFRESH - 40 * LINE));
+    board.receive(5 * (REFRESH + 10 * LINE));
+    let frames = frames(&received(&board.lines).unwrap());
+    assert!(frames == [on_screen(&steps[0], 2, 3)]);
+}
+
+/// Two more refreshes clear the memories.
+#[test]
+fn the_machine_of_the_icebreaker_shows_a_golden_frame() {
+    let OnBoard { mut picture, steps } = quadtree_on_icebreaker().unwrap();
+    picture.refreshes = 2;
+    let top = QuadtreeOnIcebreaker { picture, timing: VideoTiming::VGA };
+    let frames = frames(&seen_of_pmod(&top, 5 * REFRESH - 40 * LINE, REFRESH + 10 * LINE));
+    assert!(frames == [upper(on_screen(&steps[0], 4, 3))]);
 }

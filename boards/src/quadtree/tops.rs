@@ -11,6 +11,7 @@ use tilewright_rtl::quadtree::processor::{Queues, VideoProcessor};
 use tilewright_rtl::quadtree::raster::Form;
 
 use super::picture::QuadtreePicture;
+use super::scenes::{cube, teapot};
 use super::store::Store;
 use super::turning::{Step, Turning};
 use crate::icebreaker::{self, Pmod};
@@ -77,6 +78,24 @@ pub fn for_icebreaker(pixels: Pixels, turning: &Turning) -> Result<OnBoard, Para
     let mut on_board = build.machine(format, turning)?;
     on_board.picture.clock = Some(icebreaker::MACHINE);
     Ok(on_board)
+}
+
+/// The machine and the scene of the ULX3S: the teapot at 320 x 240 pixels.
+///
+/// # Errors
+///
+/// As [`for_ulx3s`].
+pub fn quadtree_on_ulx3s() -> Result<OnBoard, ParameterError> {
+    for_ulx3s(Pixels { width: 320, height: 240 }, &teapot())
+}
+
+/// The machine and the scene of the iCEBreaker: a cube at 160 x 120 pixels.
+///
+/// # Errors
+///
+/// As [`for_icebreaker`].
+pub fn quadtree_on_icebreaker() -> Result<OnBoard, ParameterError> {
+    for_icebreaker(Pixels { width: 160, height: 120 }, &cube(24))
 }
 
 block! {

@@ -55,12 +55,15 @@ impl Stack {
         // The window to divide next: the newest. When the unit is free it takes whatever is offered.
         let depth = (3 * (levels - 1)).max(1);
         let word = part.with(part.window).packed();
-        def!(windows = m.memory(depth, word.width(), ReadUnderWrite::Any));
+        // A power of two, so that no word is beyond the memory: nothing gates what is read.
+        def!(windows = m.memory(depth.next_power_of_two(), word.width(), ReadUnderWrite::Any));
         def!(used = m.reg(up_to(depth)).reset(0));
+        let address = windows.address_width();
+        let newest_address = (used - 1).trunc(address);
         let newest = match self.test {
-            Test::Parallel => windows.read_async((used - 1).low()),
+            Test::Parallel => windows.read_async(newest_address),
             // A window is tested for 12 clocks or more, so a block RAM is in time.
-            Test::Serial => windows.read((used - 1).low()),
+            Test::Serial => windows.read(newest_address),
         };
         let newest = part.with(newest).unpacked(&part.window);
         def!(is_empty = used.eq(0));
@@ -72,7 +75,7 @@ impl Stack {
 
         def!(pushes = comes_back & !taken);
         def!(pops = taken & !comes_back & !is_empty);
-        windows.write(pushes, used.low(), *word);
+        windows.write(pushes, (*used).trunc(address), *word);
         used.when(pushes, used + 1).when(pops, used - 1);
         m.assert(pushes.implies(used.ne(depth)), "the stack stores at most three windows of each size");
         m.cover("the stack is full", m.rose(used.eq(depth)));
