@@ -1,5 +1,7 @@
 //! The tops, and the boards that they are for.
 
+use crate::icebreaker;
+use crate::quadtree::{QuadtreeOnIcebreaker, QuadtreeOnUlx3s};
 use crate::test_picture::TestPictureOnUlx3s;
 use crate::ulx3s;
 use crate::vc1::Vc1OnUlx3s;
@@ -12,6 +14,8 @@ use tilewright_hdl::{Design, Problems, elaborate};
 pub enum Device {
     /// A Lattice LFE5U-85F of speed grade 6 in a CABGA381, as on a ULX3S.
     Ecp5Large,
+    /// A Lattice iCE40UP5K in an SG48, as on an iCEBreaker.
+    Ice40Up,
 }
 
 /// A machine on a board.
@@ -56,6 +60,26 @@ pub const TOPS: &[Top] = &[
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
         design: || elaborate(&Vc1OnUlx3s::full().expect("the star is built in")),
+    },
+    Top {
+        name: "quadtree",
+        board: "ulx3s",
+        about: "the quadtree generator with 4 x 4 video processors, which draws a turning teapot",
+        device: Device::Ecp5Large,
+        loader: ulx3s::LOADER,
+        pins: ulx3s::PINS,
+        dialect: Dialect::Lpf,
+        design: || elaborate(&QuadtreeOnUlx3s::full().expect("the teapot is built in")),
+    },
+    Top {
+        name: "quadtree",
+        board: "icebreaker",
+        about: "the quadtree generator with one video processor, which draws a turning cube",
+        device: Device::Ice40Up,
+        loader: icebreaker::LOADER,
+        pins: icebreaker::PINS,
+        dialect: Dialect::Pcf,
+        design: || elaborate(&QuadtreeOnIcebreaker::full().expect("the cube fits")),
     },
 ];
 

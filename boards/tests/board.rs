@@ -26,6 +26,11 @@ impl Board {
         self.sim.step_clock(SERIAL, clocks as u64);
     }
 
+    /// The value of a signal.
+    pub fn peek(&mut self, signal: &str) -> u64 {
+        self.sim.peek(signal).unwrap().to_u64().unwrap()
+    }
+
     /// Receives what the pins send in these clocks of the lines.
     pub fn receive(&mut self, clocks: usize) {
         for _ in 0..clocks {

@@ -83,7 +83,16 @@ fn the_machine_of_the_ulx3s_shows_a_golden_frame() {
     let OnBoard { mut picture, steps } = quadtree_on_ulx3s().unwrap();
     picture.refreshes = 2;
     let mut board = Board::new(&QuadtreeOnUlx3s { picture, timing: VideoTiming::VGA });
-    board.skip(5 * (3 * REFRESH - 40 * LINE));
+    // The player begins when the first refresh ends.
+    board.skip(5 * 481 * LINE);
+    let drawing = (1..).find(|_| {
+        board.skip(5 * 100);
+        board.peek("u_screen.u_picture.drawn") == 1
+    });
+    let clocks = 100 * drawing.expect("it ends");
+    println!("ULX3S: {} packets are drawn in about {clocks} clocks of 40 ns", steps[0].packets.len());
+    assert!(clocks < 2 * REFRESH);
+    board.skip(5 * (3 * REFRESH - 40 * LINE - 481 * LINE - clocks));
     board.receive(5 * (REFRESH + 10 * LINE));
     let frames = frames(&received(&board.lines).unwrap());
     assert!(frames == [on_screen(&steps[0], 2, 3)]);

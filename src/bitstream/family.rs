@@ -32,5 +32,14 @@ pub fn family(device: Device) -> Family {
             options: &["--compress"],
             ending: "bit",
         },
+        Device::Ice40Up => Family {
+            device: device::Device::Ice40Up,
+            library: "+/ice40/cells_sim.v",
+            constraints: "--pcf",
+            configuration: "--asc",
+            packer: "icepack",
+            options: &[],
+            ending: "bin",
+        },
     }
 }

@@ -23,6 +23,9 @@ pub const PIXEL: Clock = Clock::new("pixel", Period::ps(39_800)).reset(Reset::Po
 /// The pins, as [`Pins::read`](tilewright_gen::Pins::read) takes them.
 pub const PINS: &str = include_str!("../../icebreaker.pins");
 
+/// What loads a bitstream.
+pub const LOADER: &str = "iceprog";
+
 record! {
     /// The pins of the PMOD.
     pub struct Pmod {

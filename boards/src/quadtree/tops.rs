@@ -116,6 +116,15 @@ block! {
 }
 
 impl QuadtreeOnUlx3s {
+    /// The machine of the board.
+    ///
+    /// # Errors
+    ///
+    /// As [`for_ulx3s`].
+    pub fn full() -> Result<QuadtreeOnUlx3s, ParameterError> {
+        Ok(QuadtreeOnUlx3s { picture: quadtree_on_ulx3s()?.picture, timing: VideoTiming::VGA })
+    }
+
     fn build(&self, m: Module, (): ()) -> QuadtreeOnUlx3sOut {
         let screen = Screen { picture: self.picture.clone(), timing: self.timing.clone(), double: false };
         let (tmds, locked) = ulx3s::show(m, &screen, &[]);
@@ -136,6 +145,15 @@ block! {
 }
 
 impl QuadtreeOnIcebreaker {
+    /// The machine of the board.
+    ///
+    /// # Errors
+    ///
+    /// As [`for_icebreaker`].
+    pub fn full() -> Result<QuadtreeOnIcebreaker, ParameterError> {
+        Ok(QuadtreeOnIcebreaker { picture: quadtree_on_icebreaker()?.picture, timing: VideoTiming::VGA })
+    }
+
     fn build(&self, m: Module, (): ()) -> Pmod {
         icebreaker::show(m, &Screen { picture: self.picture.clone(), timing: self.timing.clone(), double: false })
     }
