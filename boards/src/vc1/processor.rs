@@ -52,7 +52,7 @@ block! {
         /// A pixel to draw.
         request: stream(Request::widths(self.patches.screen())),
         /// An entry of the patch table to clear.
-        clear: stream(Wanted::widths(self.patches.count())),
+        clear: stream(Wanted { patch: below(self.patches.count()) }),
     }
 }
 
