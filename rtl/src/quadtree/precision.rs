@@ -52,7 +52,7 @@ impl Precision {
         match widths.into_iter().find(|(_, bits, range)| !range.contains(bits)) {
             None => Ok(self),
             Some((name, bits, range)) => Err(ParameterError(format!(
-                "`{name}` of the numbers is {bits} bits: it has to be from {} to {}",
+                "`{name}` of the precision is {bits} bits: it has to be from {} to {}",
                 range.start(),
                 range.end()
             ))),
@@ -109,5 +109,38 @@ impl fmt::Debug for Precision {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Precision { position, slope, edge, plane, depth, colour } = self;
         write!(f, "numbers{position}_{slope}_{edge}_{plane}_{depth}_{colour}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::format::{Format, Matrix};
+    use super::*;
+
+    const SMALL: Precision = Precision { position: 8, slope: 12, edge: 20, plane: 16, depth: 7, colour: 3 };
+
+    #[test]
+    fn widths_that_cannot_be_are_refused_in_a_sentence() {
+        let problem = |precision: Precision| precision.checked().unwrap_err().to_string();
+        assert_eq!(SMALL.checked().unwrap(), SMALL);
+        let narrow = "`depth` of the precision is 17 bits: it has to be from 1 to 16";
+        assert_eq!(problem(Precision { depth: 17, ..SMALL }), narrow);
+        assert_eq!(
+            problem(Precision { slope: 18, ..SMALL }),
+            "`slope` of the precision is 18 bits: it has to be from 2 to 17"
+        );
+        let format = |width| Format::new(Screen { width, height: 4 }, Matrix::new(1, 1).unwrap(), 3).unwrap();
+        assert!(format(256).with_precision(SMALL).unwrap().with_spram().is_ok());
+        let wide = format(257).with_precision(SMALL).unwrap_err().to_string();
+        assert_eq!(wide, "positions of 8 bits: a screen of 257x4 pixels needs more");
+        let full = format(8).with_spram().unwrap_err().to_string();
+        assert_eq!(full, "words of 48 bits in single-port memories: they have to have 16 or fewer");
+    }
+
+    /// Ones above what is cut, zeros below: each field is where it was.
+    #[test]
+    fn a_stored_word_has_the_upper_bits_of_each_field() {
+        assert_eq!(SMALL.stored(0xfe_0000_e0_00_e0), 0b111_1111_111_000_111);
+        assert_eq!(SMALL.stored(0x01_ffff_1f_ff_1f), 0b000_0000_000_111_000);
     }
 }
