@@ -5,10 +5,10 @@ use tilewright_scenes::{Mesh, MeshTriangle, Scene};
 
 use super::turning::Turning;
 
-/// The teapot of 256 triangles, in 14 steps of a whole turn.
+/// The teapot of 256 triangles, in 13 steps of a whole turn.
 pub fn teapot() -> Turning {
     let scene = Scene::builtin("teapot").expect("a built-in scene");
-    Turning { scene: Scene { mesh: teapot::mesh(2), ..scene }, steps: 14, is_closed: false, degrees: 360.0 }
+    Turning { scene: Scene { mesh: teapot::mesh(2), ..scene }, steps: 13, is_closed: false, degrees: 360.0 }
 }
 
 /// A cube that stands on a corner's edge line, in steps of a quarter turn: it then looks the same.
