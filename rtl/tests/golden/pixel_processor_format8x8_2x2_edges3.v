@@ -48,11 +48,11 @@ module pixel_processor_format8x8_2x2_edges3 (
     output wire         leaves_ready
 );
 
-    wire [47:0] word;                                            // rtl/src/quadtree/pixel.rs:58
+    wire [47:0] word;                                            // rtl/src/quadtree/pixel.rs:59
     assign leaves_ready = 1'b1;                                  // rtl/src/quadtree/pixel.rs:54
-    wire covered = 1'b1;                                         // rtl/src/quadtree/pixel.rs:59
+    wire covered = 1'b1;                                         // rtl/src/quadtree/pixel.rs:60
 
-    assign word = {                                              // rtl/src/quadtree/pixel.rs:58
+    assign word = {                                              // rtl/src/quadtree/pixel.rs:59
         leaves_window_planes[39:16], leaves_window_planes[63:56],
         leaves_window_planes[103:96], leaves_window_planes[143:136]
     };
@@ -92,11 +92,11 @@ module pixel_processor_format8x8_2x2_edges3 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:70
+        if (!rst) assume (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:71
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:70
+        if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:71
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a leaf is a window of one sample", $time);
             stop;
         end

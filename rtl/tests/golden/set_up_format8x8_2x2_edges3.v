@@ -5,7 +5,7 @@
 // Parameters  SetUp { format: "8x8_2x2_edges3" }
 // Latency     a polygon takes a clock for each edge, but at least 4
 // Source      sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-SPR, MPG-WIN)
-// Described   rtl/src/quadtree/set_up.rs:22
+// Described   rtl/src/quadtree/set_up.rs:23
 `default_nettype none
 
 module set_up_format8x8_2x2_edges3 (
@@ -73,38 +73,38 @@ module set_up_format8x8_2x2_edges3 (
     output wire         packets_ready
 );
 
-    reg [2:0] step;                                              // rtl/src/quadtree/set_up.rs:49
+    reg [2:0] step;                                              // rtl/src/quadtree/set_up.rs:51
     reg [31:0] set_up_busy;                                      // rtl/src/quadtree/tally.rs:22
     reg [31:0] set_up_stalled;                                   // rtl/src/quadtree/tally.rs:22
     reg [31:0] set_up_results;                                   // rtl/src/quadtree/tally.rs:22
 
-    wire [16:0] a;                                               // rtl/src/quadtree/set_up.rs:56
-    wire [16:0] b;                                               // rtl/src/quadtree/set_up.rs:57
-    wire [31:0] value_picked;                                    // rtl/src/quadtree/set_up.rs:64
-    wire [39:0] plane_x;                                         // rtl/src/quadtree/set_up.rs:78
-    wire [39:0] plane_y;                                         // rtl/src/quadtree/set_up.rs:79
-    wire [39:0] plane_picked;                                    // rtl/src/quadtree/set_up.rs:81
-    wire is_last = (step >= packets_last_edge) & (step >= 3'd3); // rtl/src/quadtree/set_up.rs:52
-    assign packets_ready = is_last & roots_ready;                // rtl/src/quadtree/set_up.rs:110
-    wire right = !a[16];                                         // rtl/src/quadtree/set_up.rs:58
-    wire lower = !b[16];                                         // rtl/src/quadtree/set_up.rs:59
-    wire [29:0] value_product = $signed(a) * $signed(right ? place_right : place_left); // rtl/src/quadtree/set_up.rs:61
-    wire [29:0] value_product_2 = $signed(b) * $signed(lower ? place_bottom : place_top); // rtl/src/quadtree/set_up.rs:61
-    wire [31:0] value_sum = value_picked + {{2{value_product[29]}}, value_product}; // rtl/src/quadtree/set_up.rs:64
-    wire [31:0] value = value_sum + {{2{value_product_2[29]}}, value_product_2}; // rtl/src/quadtree/set_up.rs:64
-    wire [43:0] plane_product = {4'd0, plane_x} * {40'd0, place_left[3:0]}; // rtl/src/quadtree/set_up.rs:80
-    wire [43:0] plane_product_2 = {4'd0, plane_y} * {40'd0, place_top[3:0]}; // rtl/src/quadtree/set_up.rs:80
-    wire [39:0] plane = plane_picked + plane_product[39:0] + plane_product_2[39:0]; // rtl/src/quadtree/set_up.rs:81
-    wire [16:0] roots_polygon_step_x_choice_3 = a[16] ? (17'd0 - a) : a; // rtl/src/quadtree/set_up.rs:71
-    wire [16:0] roots_polygon_step_y_choice_3 = b[16] ? (17'd0 - b) : b; // rtl/src/quadtree/set_up.rs:71
-    assign roots_window_bounds_left = place_right - {2'd0, packets_bounds_left}; // rtl/src/quadtree/set_up.rs:84
-    assign roots_window_bounds_top = place_bottom - {2'd0, packets_bounds_top}; // rtl/src/quadtree/set_up.rs:84
-    assign roots_window_bounds_right = 13'd0 - (place_left - {2'd0, packets_bounds_right}); // rtl/src/quadtree/set_up.rs:103
-    assign roots_window_bounds_bottom = 13'd0 - (place_top - {2'd0, packets_bounds_bottom}); // rtl/src/quadtree/set_up.rs:104
-    assign roots_valid = packets_valid & is_last;                // rtl/src/quadtree/set_up.rs:109
-    wire roots_taken = roots_valid & roots_ready;                // rtl/src/quadtree/set_up.rs:109
-    wire waits = packets_valid & is_last & !roots_taken;         // rtl/src/quadtree/set_up.rs:113
-    assign idle = !packets_valid;                                // rtl/src/quadtree/set_up.rs:116
+    wire [16:0] a;                                               // rtl/src/quadtree/set_up.rs:58
+    wire [16:0] b;                                               // rtl/src/quadtree/set_up.rs:59
+    wire [31:0] value_picked;                                    // rtl/src/quadtree/set_up.rs:70
+    wire [39:0] plane_x;                                         // rtl/src/quadtree/set_up.rs:84
+    wire [39:0] plane_y;                                         // rtl/src/quadtree/set_up.rs:85
+    wire [39:0] plane_picked;                                    // rtl/src/quadtree/set_up.rs:87
+    wire is_last = (step >= packets_last_edge) & (step >= 3'd3); // rtl/src/quadtree/set_up.rs:54
+    assign packets_ready = is_last & roots_ready;                // rtl/src/quadtree/set_up.rs:116
+    wire right = !a[16];                                         // rtl/src/quadtree/set_up.rs:60
+    wire lower = !b[16];                                         // rtl/src/quadtree/set_up.rs:61
+    wire [29:0] value_product = $signed(a) * $signed(right ? place_right : place_left); // rtl/src/quadtree/set_up.rs:63
+    wire [29:0] value_product_2 = $signed(b) * $signed(lower ? place_bottom : place_top); // rtl/src/quadtree/set_up.rs:63
+    wire [31:0] value_sum = value_picked + {{2{value_product[29]}}, value_product}; // rtl/src/quadtree/set_up.rs:70
+    wire [31:0] value = value_sum + {{2{value_product_2[29]}}, value_product_2}; // rtl/src/quadtree/set_up.rs:70
+    wire [43:0] plane_product = {4'd0, plane_x} * {40'd0, place_left[3:0]}; // rtl/src/quadtree/set_up.rs:86
+    wire [43:0] plane_product_2 = {4'd0, plane_y} * {40'd0, place_top[3:0]}; // rtl/src/quadtree/set_up.rs:86
+    wire [39:0] plane = plane_picked + plane_product[39:0] + plane_product_2[39:0]; // rtl/src/quadtree/set_up.rs:87
+    wire [16:0] roots_polygon_step_x_choice_3 = a[16] ? (17'd0 - a) : a; // rtl/src/quadtree/set_up.rs:77
+    wire [16:0] roots_polygon_step_y_choice_3 = b[16] ? (17'd0 - b) : b; // rtl/src/quadtree/set_up.rs:77
+    assign roots_window_bounds_left = place_right - {2'd0, packets_bounds_left}; // rtl/src/quadtree/set_up.rs:90
+    assign roots_window_bounds_top = place_bottom - {2'd0, packets_bounds_top}; // rtl/src/quadtree/set_up.rs:90
+    assign roots_window_bounds_right = 13'd0 - (place_left - {2'd0, packets_bounds_right}); // rtl/src/quadtree/set_up.rs:109
+    assign roots_window_bounds_bottom = 13'd0 - (place_top - {2'd0, packets_bounds_bottom}); // rtl/src/quadtree/set_up.rs:110
+    assign roots_valid = packets_valid & is_last;                // rtl/src/quadtree/set_up.rs:115
+    wire roots_taken = roots_valid & roots_ready;                // rtl/src/quadtree/set_up.rs:115
+    wire waits = packets_valid & is_last & !roots_taken;         // rtl/src/quadtree/set_up.rs:119
+    assign idle = !packets_valid;                                // rtl/src/quadtree/set_up.rs:122
 
     genvar i;
 
@@ -187,36 +187,36 @@ module set_up_format8x8_2x2_edges3 (
             assign a_lanes[i] = packets_edges_a[i * 17 +: 17];
         end
     endgenerate
-    assign a = (step < 3'd3) ? a_lanes[step[1:0]] : 17'd0;       // rtl/src/quadtree/set_up.rs:56
+    assign a = (step < 3'd3) ? a_lanes[step[1:0]] : 17'd0;       // rtl/src/quadtree/set_up.rs:58
     wire [16:0] b_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : b_of
             assign b_lanes[i] = packets_edges_b[i * 17 +: 17];
         end
     endgenerate
-    assign b = (step < 3'd3) ? b_lanes[step[1:0]] : 17'd0;       // rtl/src/quadtree/set_up.rs:57
-    assign value_picked = (step < 3'd3) ? packets_edges_c[step[1:0] * 32 +: 32] : 32'd0; // rtl/src/quadtree/set_up.rs:64
+    assign b = (step < 3'd3) ? b_lanes[step[1:0]] : 17'd0;       // rtl/src/quadtree/set_up.rs:59
+    assign value_picked = (step < 3'd3) ? packets_edges_c[step[1:0] * 32 +: 32] : 32'd0; // rtl/src/quadtree/set_up.rs:70
     wire [39:0] plane_x_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_x_of
             assign plane_x_lanes[i] = packets_planes_x[i * 40 +: 40];
         end
     endgenerate
-    assign plane_x = (step < 3'd4) ? plane_x_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:78
+    assign plane_x = (step < 3'd4) ? plane_x_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:84
     wire [39:0] plane_y_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_y_of
             assign plane_y_lanes[i] = packets_planes_y[i * 40 +: 40];
         end
     endgenerate
-    assign plane_y = (step < 3'd4) ? plane_y_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:79
+    assign plane_y = (step < 3'd4) ? plane_y_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:85
     wire [39:0] plane_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_picked_of
             assign plane_picked_lanes[i] = packets_planes_origin[i * 40 +: 40];
         end
     endgenerate
-    assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:81
+    assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:87
     generate
         for (i = 0; i < 3; i = i + 1) begin : roots_polygon_step_x_of
             assign roots_polygon_step_x[i * 17 +: 17] = step_x_row[i].roots_polygon_step_x_choice;

@@ -79,10 +79,11 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     output wire         works_ready
 );
 
-    reg [1:0] used;                                              // rtl/src/quadtree/stack.rs:59
+    reg [1:0] used;                                              // rtl/src/quadtree/stack.rs:60
 
     (* no_rw_check *)
-    reg [313:0] windows [0:2];                                   // rtl/src/quadtree/stack.rs:58
+    reg [313:0] windows [0:3];                                   // rtl/src/quadtree/stack.rs:59
+    reg [313:0] windows_read;                                    // rtl/src/quadtree/stack.rs:66
 
     wire u_test_parts_valid;                                     // rtl/src/quadtree/stack.rs:46
     wire u_test_works_ready;                                     // rtl/src/quadtree/stack.rs:46
@@ -95,36 +96,35 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     wire [159:0] u_test_works_polygon_plane_y;                   // rtl/src/quadtree/stack.rs:44
     wire [95:0] u_test_works_window_edges;                       // rtl/src/quadtree/stack.rs:44
     wire [159:0] u_test_works_window_planes;                     // rtl/src/quadtree/stack.rs:44
-    wire is_empty = used == 2'd0;                                // rtl/src/quadtree/stack.rs:61
+    wire is_empty = used == 2'd0;                                // rtl/src/quadtree/stack.rs:69
     wire is_done = parts_window_size == 2'd0;                    // rtl/src/quadtree/stack.rs:50
     wire comes_back = u_test_parts_valid & !is_done;             // rtl/src/quadtree/stack.rs:53
-    wire is_new = is_empty & !comes_back;                        // rtl/src/quadtree/stack.rs:63
-    assign works_ready = is_new & u_test_works_ready;            // rtl/src/quadtree/stack.rs:65
+    wire is_new = is_empty & !comes_back;                        // rtl/src/quadtree/stack.rs:71
+    assign works_ready = is_new & u_test_works_ready;            // rtl/src/quadtree/stack.rs:73
     wire next_valid = !is_new | works_valid;                     // rtl/src/quadtree/stack.rs:44
     wire [2:0] next_polygon_last_edge = is_new ? works_polygon_last_edge : parts_polygon_last_edge; // rtl/src/quadtree/stack.rs:44
-    wire [1:0] windows_read_address = used - 2'd1;               // rtl/src/quadtree/stack.rs:60
-    wire [313:0] windows_word = (windows_read_address < 2'd3) ? windows[windows_read_address] : 314'd0; // rtl/src/quadtree/stack.rs:60
-    wire [1:0] next_window_size_choice = comes_back ? parts_window_size : windows_word[313:312]; // rtl/src/quadtree/stack.rs:62
+    wire [1:0] next_window_size_choice = comes_back ? parts_window_size : windows_read[313:312]; // rtl/src/quadtree/stack.rs:70
     wire [1:0] next_window_size = is_new ? works_window_size : next_window_size_choice; // rtl/src/quadtree/stack.rs:44
-    wire [1:0] next_window_x_choice = comes_back ? parts_window_x : windows_word[311:310]; // rtl/src/quadtree/stack.rs:62
+    wire [1:0] next_window_x_choice = comes_back ? parts_window_x : windows_read[311:310]; // rtl/src/quadtree/stack.rs:70
     wire [1:0] next_window_x = is_new ? works_window_x : next_window_x_choice; // rtl/src/quadtree/stack.rs:44
-    wire [1:0] next_window_y_choice = comes_back ? parts_window_y : windows_word[309:308]; // rtl/src/quadtree/stack.rs:62
+    wire [1:0] next_window_y_choice = comes_back ? parts_window_y : windows_read[309:308]; // rtl/src/quadtree/stack.rs:70
     wire [1:0] next_window_y = is_new ? works_window_y : next_window_y_choice; // rtl/src/quadtree/stack.rs:44
-    wire [95:0] windows_word_307_212 = windows_word[307:212];    // rtl/src/quadtree/stack.rs:60
-    wire [12:0] next_window_bounds_left_choice = comes_back ? parts_window_bounds_left : windows_word[211:199]; // rtl/src/quadtree/stack.rs:62
+    wire [95:0] windows_read_307_212 = windows_read[307:212];    // rtl/src/quadtree/stack.rs:68
+    wire [12:0] next_window_bounds_left_choice = comes_back ? parts_window_bounds_left : windows_read[211:199]; // rtl/src/quadtree/stack.rs:70
     wire [12:0] next_window_bounds_left = is_new ? works_window_bounds_left : next_window_bounds_left_choice; // rtl/src/quadtree/stack.rs:44
-    wire [12:0] next_window_bounds_top_choice = comes_back ? parts_window_bounds_top : windows_word[198:186]; // rtl/src/quadtree/stack.rs:62
+    wire [12:0] next_window_bounds_top_choice = comes_back ? parts_window_bounds_top : windows_read[198:186]; // rtl/src/quadtree/stack.rs:70
     wire [12:0] next_window_bounds_top = is_new ? works_window_bounds_top : next_window_bounds_top_choice; // rtl/src/quadtree/stack.rs:44
-    wire [12:0] next_window_bounds_right_choice = comes_back ? parts_window_bounds_right : windows_word[185:173]; // rtl/src/quadtree/stack.rs:62
+    wire [12:0] next_window_bounds_right_choice = comes_back ? parts_window_bounds_right : windows_read[185:173]; // rtl/src/quadtree/stack.rs:70
     wire [12:0] next_window_bounds_right = is_new ? works_window_bounds_right : next_window_bounds_right_choice; // rtl/src/quadtree/stack.rs:44
-    wire [12:0] next_window_bounds_bottom_choice = comes_back ? parts_window_bounds_bottom : windows_word[172:160]; // rtl/src/quadtree/stack.rs:62
+    wire [12:0] next_window_bounds_bottom_choice = comes_back ? parts_window_bounds_bottom : windows_read[172:160]; // rtl/src/quadtree/stack.rs:70
     wire [12:0] next_window_bounds_bottom = is_new ? works_window_bounds_bottom : next_window_bounds_bottom_choice; // rtl/src/quadtree/stack.rs:44
-    wire [159:0] windows_word_159_0 = windows_word[159:0];       // rtl/src/quadtree/stack.rs:60
+    wire [159:0] windows_read_159_0 = windows_read[159:0];       // rtl/src/quadtree/stack.rs:68
     assign parts_valid = u_test_parts_valid & is_done;           // rtl/src/quadtree/stack.rs:51
-    wire pushes_and = next_valid & u_test_works_ready;           // rtl/src/quadtree/stack.rs:64
-    wire pushes = comes_back & !pushes_and;                      // rtl/src/quadtree/stack.rs:68
-    wire pops = pushes_and & !comes_back & !is_empty;            // rtl/src/quadtree/stack.rs:69
-    wire past_next = used == 2'd3;                               // rtl/src/quadtree/stack.rs:73
+    wire [1:0] windows_read_address = used - 2'd1;               // rtl/src/quadtree/stack.rs:62
+    wire pushes_and = next_valid & u_test_works_ready;           // rtl/src/quadtree/stack.rs:72
+    wire pushes = comes_back & !pushes_and;                      // rtl/src/quadtree/stack.rs:76
+    wire pops = pushes_and & !comes_back & !is_empty;            // rtl/src/quadtree/stack.rs:77
+    wire past_next = used == 2'd3;                               // rtl/src/quadtree/stack.rs:81
 
     genvar i;
 
@@ -166,14 +166,14 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 
     generate
         for (i = 0; i < 3; i = i + 1) begin : next_window_edges_row
-            wire [31:0] next_window_edges_choice = comes_back ? parts_window_edges[i * 32 +: 32] : windows_word_307_212[i * 32 +: 32];
+            wire [31:0] next_window_edges_choice = comes_back ? parts_window_edges[i * 32 +: 32] : windows_read_307_212[i * 32 +: 32];
             wire [31:0] next_window_edges = is_new ? works_window_edges[i * 32 +: 32] : next_window_edges_choice;
         end
     endgenerate
 
     generate
         for (i = 0; i < 4; i = i + 1) begin : next_window_planes_row
-            wire [39:0] next_window_planes_choice = comes_back ? parts_window_planes[i * 40 +: 40] : windows_word_159_0[i * 40 +: 40];
+            wire [39:0] next_window_planes_choice = comes_back ? parts_window_planes[i * 40 +: 40] : windows_read_159_0[i * 40 +: 40];
             wire [39:0] next_window_planes = is_new ? works_window_planes[i * 40 +: 40] : next_window_planes_choice;
         end
     endgenerate
@@ -275,6 +275,7 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
                 parts_window_bounds_bottom, parts_window_planes
             };
         end
+        windows_read <= windows[windows_read_address];
     end
 
     always @(posedge clk) begin
@@ -298,8 +299,8 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 `endif
 
 `ifndef SYNTHESIS
-    reg past;                                                    // rtl/src/quadtree/stack.rs:73
-    reg has_past;                                                // rtl/src/quadtree/stack.rs:73
+    reg past;                                                    // rtl/src/quadtree/stack.rs:81
+    reg has_past;                                                // rtl/src/quadtree/stack.rs:81
 
     initial has_past = 1'b0;
 
@@ -314,18 +315,18 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!pushes | (used != 2'd3));                 // rtl/src/quadtree/stack.rs:72
-        if (!rst) cover (has_past & (past_next & !past));            // rtl/src/quadtree/stack.rs:73
+        if (!rst) assert (!pushes | (used != 2'd3));                 // rtl/src/quadtree/stack.rs:80
+        if (!rst) cover (has_past & (past_next & !past));            // rtl/src/quadtree/stack.rs:81
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!pushes | (used != 2'd3))) begin               // rtl/src/quadtree/stack.rs:72
+        if (!rst && !(!pushes | (used != 2'd3))) begin               // rtl/src/quadtree/stack.rs:80
             $display("FAIL: time %0t: %m: the stack stores at most three windows of each size", $time);
             stop;
         end
-        if (!rst && (has_past & (past_next & !past)) && !is_covered) begin // rtl/src/quadtree/stack.rs:73
+        if (!rst && (has_past & (past_next & !past)) && !is_covered) begin // rtl/src/quadtree/stack.rs:81
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the stack is full", $time);
             `endif

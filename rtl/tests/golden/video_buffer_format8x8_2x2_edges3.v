@@ -6,7 +6,7 @@
 // Parameters  VideoBuffer { format: "8x8_2x2_edges3" }
 // Latency     2 clocks to draw, 1 clock to send
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH)
-// Described   rtl/src/quadtree/video_buffer.rs:23
+// Described   rtl/src/quadtree/video_buffer.rs:24
 `default_nettype none
 
 module video_buffer_format8x8_2x2_edges3 (
@@ -28,25 +28,25 @@ module video_buffer_format8x8_2x2_edges3 (
     output wire [47:0] word         // The word sent to the video controller.
 );
 
-    reg [47:0] drawn_word;                                       // rtl/src/quadtree/video_buffer.rs:68
-    reg sent_of;                                                 // rtl/src/quadtree/video_buffer.rs:69
-    reg writes0;                                                 // rtl/src/quadtree/video_buffer.rs:81
-    reg draws0;                                                  // rtl/src/quadtree/video_buffer.rs:83
-    reg [3:0] place0;                                            // rtl/src/quadtree/video_buffer.rs:84
-    reg passes0;                                                 // rtl/src/quadtree/video_buffer.rs:85
-    reg [47:0] passed0;                                          // rtl/src/quadtree/video_buffer.rs:86
-    reg writes1;                                                 // rtl/src/quadtree/video_buffer.rs:81
-    reg draws1;                                                  // rtl/src/quadtree/video_buffer.rs:83
-    reg [3:0] place1;                                            // rtl/src/quadtree/video_buffer.rs:84
-    reg passes1;                                                 // rtl/src/quadtree/video_buffer.rs:85
-    reg [47:0] passed1;                                          // rtl/src/quadtree/video_buffer.rs:86
+    reg [47:0] drawn_word;                                       // rtl/src/quadtree/video_buffer.rs:70
+    reg sent_of;                                                 // rtl/src/quadtree/video_buffer.rs:71
+    reg writes0;                                                 // rtl/src/quadtree/video_buffer.rs:83
+    reg draws0;                                                  // rtl/src/quadtree/video_buffer.rs:85
+    reg [3:0] place0;                                            // rtl/src/quadtree/video_buffer.rs:86
+    reg passes0;                                                 // rtl/src/quadtree/video_buffer.rs:87
+    reg [47:0] passed0;                                          // rtl/src/quadtree/video_buffer.rs:88
+    reg writes1;                                                 // rtl/src/quadtree/video_buffer.rs:83
+    reg draws1;                                                  // rtl/src/quadtree/video_buffer.rs:85
+    reg [3:0] place1;                                            // rtl/src/quadtree/video_buffer.rs:86
+    reg passes1;                                                 // rtl/src/quadtree/video_buffer.rs:87
+    reg [47:0] passed1;                                          // rtl/src/quadtree/video_buffer.rs:88
 
     (* no_rw_check *)
-    reg [47:0] bank0 [0:15];                                     // rtl/src/quadtree/video_buffer.rs:72
-    reg [47:0] bank0_read;                                       // rtl/src/quadtree/video_buffer.rs:77
+    reg [47:0] bank0 [0:15];                                     // rtl/src/quadtree/banks.rs:83
+    reg [47:0] bank0_read;                                       // rtl/src/quadtree/banks.rs:84
     (* no_rw_check *)
-    reg [47:0] bank1 [0:15];                                     // rtl/src/quadtree/video_buffer.rs:72
-    reg [47:0] bank1_read;                                       // rtl/src/quadtree/video_buffer.rs:77
+    reg [47:0] bank1 [0:15];                                     // rtl/src/quadtree/banks.rs:83
+    reg [47:0] bank1_read;                                       // rtl/src/quadtree/banks.rs:84
 
     initial begin : bank0_contents
         integer i;
@@ -58,23 +58,23 @@ module video_buffer_format8x8_2x2_edges3 (
         for (i = 0; i < 16; i = i + 1) bank1[i] = 48'hffffffffffff;
     end
 
-    wire [3:0] drawn = {draw_y, draw_x};                         // rtl/src/quadtree/video_buffer.rs:66
-    wire [3:0] shown = {scan_y, scan_x};                         // rtl/src/quadtree/video_buffer.rs:67
-    wire is_back0 = !back;                                       // rtl/src/quadtree/video_buffer.rs:74
-    wire reads0 = is_back0 ? draw_valid : scan_enable;           // rtl/src/quadtree/video_buffer.rs:75
-    wire [3:0] address0 = is_back0 ? drawn : shown;              // rtl/src/quadtree/video_buffer.rs:76
-    wire [47:0] old0 = passes0 ? passed0 : bank0_read;           // rtl/src/quadtree/video_buffer.rs:87
-    wire write0_choice = strict ? (drawn_word[47:24] < old0[47:24]) : (drawn_word < old0); // rtl/src/quadtree/video_buffer.rs:89
-    wire [47:0] passed0_next = draws0 ? drawn_word : 48'hffffffffffff; // rtl/src/quadtree/video_buffer.rs:90
-    wire write0 = writes0 & (!draws0 | write0_choice);           // rtl/src/quadtree/video_buffer.rs:91
-    wire is_back1 = back;                                        // rtl/src/quadtree/video_buffer.rs:74
-    wire reads1 = is_back1 ? draw_valid : scan_enable;           // rtl/src/quadtree/video_buffer.rs:75
-    wire [3:0] address1 = is_back1 ? drawn : shown;              // rtl/src/quadtree/video_buffer.rs:76
-    wire [47:0] old1 = passes1 ? passed1 : bank1_read;           // rtl/src/quadtree/video_buffer.rs:87
-    wire write1_choice = strict ? (drawn_word[47:24] < old1[47:24]) : (drawn_word < old1); // rtl/src/quadtree/video_buffer.rs:89
-    wire [47:0] passed1_next = draws1 ? drawn_word : 48'hffffffffffff; // rtl/src/quadtree/video_buffer.rs:90
-    wire write1 = writes1 & (!draws1 | write1_choice);           // rtl/src/quadtree/video_buffer.rs:91
-    assign word = sent_of ? old1 : old0;                         // rtl/src/quadtree/video_buffer.rs:97
+    wire [3:0] drawn = {draw_y, draw_x};                         // rtl/src/quadtree/video_buffer.rs:68
+    wire [3:0] shown = {scan_y, scan_x};                         // rtl/src/quadtree/video_buffer.rs:69
+    wire is_back0 = !back;                                       // rtl/src/quadtree/video_buffer.rs:75
+    wire reads0 = is_back0 ? draw_valid : scan_enable;           // rtl/src/quadtree/video_buffer.rs:76
+    wire [3:0] address0 = is_back0 ? drawn : shown;              // rtl/src/quadtree/video_buffer.rs:77
+    wire [47:0] old0 = passes0 ? passed0 : bank0_read;           // rtl/src/quadtree/video_buffer.rs:89
+    wire write0_choice = strict ? (drawn_word[47:24] < old0[47:24]) : (drawn_word < old0); // rtl/src/quadtree/video_buffer.rs:91
+    wire [47:0] passed0_next = draws0 ? drawn_word : 48'hffffffffffff; // rtl/src/quadtree/video_buffer.rs:92
+    wire write0 = writes0 & (!draws0 | write0_choice);           // rtl/src/quadtree/video_buffer.rs:93
+    wire is_back1 = back;                                        // rtl/src/quadtree/video_buffer.rs:75
+    wire reads1 = is_back1 ? draw_valid : scan_enable;           // rtl/src/quadtree/video_buffer.rs:76
+    wire [3:0] address1 = is_back1 ? drawn : shown;              // rtl/src/quadtree/video_buffer.rs:77
+    wire [47:0] old1 = passes1 ? passed1 : bank1_read;           // rtl/src/quadtree/video_buffer.rs:89
+    wire write1_choice = strict ? (drawn_word[47:24] < old1[47:24]) : (drawn_word < old1); // rtl/src/quadtree/video_buffer.rs:91
+    wire [47:0] passed1_next = draws1 ? drawn_word : 48'hffffffffffff; // rtl/src/quadtree/video_buffer.rs:92
+    wire write1 = writes1 & (!draws1 | write1_choice);           // rtl/src/quadtree/video_buffer.rs:93
+    assign word = sent_of ? old1 : old0;                         // rtl/src/quadtree/video_buffer.rs:99
 
     always @(posedge clk) begin
         if (write0) bank0[place0] <= passed0_next;

@@ -34,17 +34,17 @@ module video_controller_format8x8_2x2_edges3 (
     reg [1:0] column;                                            // rtl/src/quadtree/controller.rs:60
     reg [2:0] line;                                              // rtl/src/quadtree/controller.rs:61
     reg arrived;                                                 // rtl/src/quadtree/controller.rs:62
-    reg asked_row;                                               // rtl/src/quadtree/controller.rs:74
+    reg asked_row;                                               // rtl/src/quadtree/controller.rs:75
 
     wire arrived_row = asked_row;                                // rtl/src/quadtree/controller.rs:67
-    wire pixels_taken = arrived & pixels_ready;                  // rtl/src/quadtree/controller.rs:70
-    wire asks = reading & (!arrived | pixels_taken);             // rtl/src/quadtree/controller.rs:71
-    wire line_ends = asks & (column == 2'd3);                    // rtl/src/quadtree/controller.rs:72
-    wire ends = line_ends & (line == 3'd7);                      // rtl/src/quadtree/controller.rs:73
-    assign busy = reading | arrived;                             // rtl/src/quadtree/controller.rs:88
-    assign scan_x = {4{column}};                                 // rtl/src/quadtree/controller.rs:84
-    assign scan_y = {4{line[2:1]}};                              // rtl/src/quadtree/controller.rs:85
-    assign scan_clear = {4{show_clear}};                         // rtl/src/quadtree/controller.rs:86
+    wire pixels_taken = arrived & pixels_ready;                  // rtl/src/quadtree/controller.rs:71
+    wire asks = reading & (!arrived | pixels_taken);             // rtl/src/quadtree/controller.rs:72
+    wire line_ends = asks & (column == 2'd3);                    // rtl/src/quadtree/controller.rs:73
+    wire ends = line_ends & (line == 3'd7);                      // rtl/src/quadtree/controller.rs:74
+    assign busy = reading | arrived;                             // rtl/src/quadtree/controller.rs:89
+    assign scan_x = {4{column}};                                 // rtl/src/quadtree/controller.rs:85
+    assign scan_y = {4{line[2:1]}};                              // rtl/src/quadtree/controller.rs:86
+    assign scan_clear = {4{show_clear}};                         // rtl/src/quadtree/controller.rs:87
 
     genvar i;
     genvar j;
@@ -120,11 +120,11 @@ module video_controller_format8x8_2x2_edges3 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!show_start | (!reading & !arrived));      // rtl/src/quadtree/controller.rs:79
+        if (!rst) assume (!show_start | (!reading & !arrived));      // rtl/src/quadtree/controller.rs:80
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!show_start | (!reading & !arrived))) begin    // rtl/src/quadtree/controller.rs:79
+        if (!rst && !(!show_start | (!reading & !arrived))) begin    // rtl/src/quadtree/controller.rs:80
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a picture is requested only while none is being read", $time);
             stop;
         end
