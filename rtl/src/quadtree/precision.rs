@@ -140,7 +140,7 @@ mod tests {
     /// Ones above what is cut, zeros below: each field is where it was.
     #[test]
     fn a_stored_word_has_the_upper_bits_of_each_field() {
-        assert_eq!(SMALL.stored(0xfe_0000_e0_00_e0), 0b111_1111_111_000_111);
-        assert_eq!(SMALL.stored(0x01_ffff_1f_ff_1f), 0b000_0000_000_111_000);
+        assert_eq!(SMALL.stored(0xfe00_00e0_00e0), 0b1111_1111_1100_0111);
+        assert_eq!(SMALL.stored(0x01ff_ff1f_ff1f), 0b0000_0000_0011_1000);
     }
 }
