@@ -1,6 +1,6 @@
 //! PLLs of an ECP5.
 
-use super::{PIXEL, SERIAL};
+use super::{CORE, PIXEL, SERIAL};
 use tilewright_hdl::{Foreign, Module, Signal, bit, block, def, lit, record, up_to};
 use tilewright_rtl::clocks::{MERGE, PE};
 
@@ -113,6 +113,27 @@ block! {
 }
 
 impl MachinePll {
+    fn build(&self, m: Module, i: PllIn) -> PllOut {
+        m.ignore(&i);
+        PllOut { lock: locks(m) }
+    }
+}
+
+block! {
+    /// The PLL of an ECP5 as it makes 80 MHz of 25 MHz. Its oscillator runs at 560 MHz.
+    pub struct CorePll;
+    foreign = pll()
+        .parameter("CLKI_DIV", 5)
+        .parameter("CLKFB_DIV", 16)
+        .parameter("CLKOP_DIV", 7)
+        .parameter("CLKOP_CPHASE", 3)
+        .clock_of(CORE, "CLKFB")
+        .makes(CORE, "CLKOP");
+    in = PllIn;
+    out = PllOut;
+}
+
+impl CorePll {
     fn build(&self, m: Module, i: PllIn) -> PllOut {
         m.ignore(&i);
         PllOut { lock: locks(m) }
