@@ -24,7 +24,7 @@ codes! {
 
 record! {
     /// A request of the processor.
-    struct Request(address: u32) {
+    pub struct Request(address: u32) {
         /// It writes; otherwise it reads.
         write: bit(),
         /// The address of a word.
@@ -36,7 +36,7 @@ record! {
     }
 
     /// A request to the memory.
-    struct Transfer(address: u32) {
+    pub struct Transfer(address: u32) {
         /// It writes; otherwise it reads.
         write: bit(),
         /// The address of a word.
@@ -67,13 +67,13 @@ block! {
     /// ```
     ///
     /// A reset makes all lines invalid. What was not yet written back is lost.
-    struct Cache {
+    pub struct Cache {
         /// The bits of an address of a word.
-        address: u32,
+        pub address: u32,
         /// The number of sets.
-        sets: u32,
+        pub sets: u32,
         /// The words of a line.
-        words: u32,
+        pub words: u32,
     }
     ranges { sets: powers_of_two(2..=4096), words: powers_of_two(2..=64) }
     latency = "1 clock for a hit, and a hit every 2 clocks";

@@ -11,11 +11,11 @@ block! {
     /// ```text
     /// vectors ===>| 16 multipliers |[1]===>| 4 sums |[2]===>| round, saturate |[3]===> results
     /// ```
-    struct Transform {
+    pub struct Transform {
         /// The bits of an element.
-        width: u32,
+        pub width: u32,
         /// The bits of a coefficient after the point.
-        fraction: u32,
+        pub fraction: u32,
     }
     latency = "3 clocks";
     in(self) TransformIn {

@@ -6,8 +6,9 @@ use tilewright_sim::{Pauses, Port, Simulation, Testbench, monitor};
 
 block! {
     /// Sends bytes: a start bit, which is low, eight bits from the least significant on, and a stop bit, which is high.
-    struct Transmitter {
-        clocks_per_bit: u32,
+    pub struct Transmitter {
+        /// At least 4.
+        pub clocks_per_bit: u32,
     }
     latency = "1 clock to the start bit";
     in TransmitterIn { bytes: stream(bits(8)) }
@@ -31,8 +32,9 @@ impl Transmitter {
 
 block! {
     /// Receives bytes. It samples the line in the middle of each bit, counted from the falling edge of the start bit.
-    struct Receiver {
-        clocks_per_bit: u32,
+    pub struct Receiver {
+        /// At least 4.
+        pub clocks_per_bit: u32,
     }
     latency = "3 clocks from the middle of the stop bit";
     in ReceiverIn {
@@ -98,7 +100,7 @@ impl Uart {
 }
 
 /// The far end sends a byte, with its own bit length.
-async fn far_end_sends(t: &Testbench<'_>, rx: Port, byte: u64, stop: u64, clocks_per_bit: u64) {
+pub async fn far_end_sends(t: &Testbench<'_>, rx: Port, byte: u64, stop: u64, clocks_per_bit: u64) {
     for bit in [0].into_iter().chain((0..8).map(|place| byte >> place & 1)).chain([stop, 1]) {
         t.set(rx, bit);
         t.wait(clocks_per_bit).await;
@@ -106,7 +108,7 @@ async fn far_end_sends(t: &Testbench<'_>, rx: Port, byte: u64, stop: u64, clocks
 }
 
 /// The far end receives a byte.
-async fn far_end_receives(t: &Testbench<'_>, tx: Port, clocks_per_bit: u64) -> u64 {
+pub async fn far_end_receives(t: &Testbench<'_>, tx: Port, clocks_per_bit: u64) -> u64 {
     t.until(tx.is(0)).await;
     t.wait(clocks_per_bit / 2).await;
     let mut byte = 0;
