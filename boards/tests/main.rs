@@ -2,6 +2,7 @@
 
 mod board;
 mod chips;
+mod designs;
 mod pins;
 mod quadtree;
 mod test_picture;
