@@ -155,7 +155,7 @@ fn an_eeprom_is_written_and_read_through_pads() {
     assert_eq!(answers[10], 0x12);
 }
 
-/// The designs with pads that are driven from both sides, and the cache. The others take a minute of nextpnr's time:
+/// The designs with pads that are driven from both sides, and the cache. nextpnr takes far longer for the others.
 /// `cargo run -p tilewright-boards --example designs` places each.
 #[test]
 fn designs_side_by_side_are_in_time() {
