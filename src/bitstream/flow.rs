@@ -170,5 +170,6 @@ fn speeds(space: &Workspace) -> Result<Vec<Speed>, Failure> {
         let name = net.split('$').next().unwrap_or_default().to_owned();
         Speed { name, mhz: rounded(clock.mhz, 2), wanted: clock.wanted }
     };
-    Ok(timing.clocks().map(speed).collect())
+    // A clock without a name is a constant that nextpnr distributes, as for a memory that is never clocked.
+    Ok(timing.clocks().map(speed).filter(|speed| !speed.name.is_empty()).collect())
 }
