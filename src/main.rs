@@ -8,6 +8,7 @@ mod completions;
 mod constraints;
 mod diagram;
 mod engine;
+mod equal;
 mod explain;
 mod golden;
 mod list;

@@ -2,6 +2,7 @@
 
 use crate::block::{BlockArguments, design, design_with, simulation};
 use crate::constraints::ConstraintOptions;
+use crate::equal::EqualOptions;
 use crate::names;
 use crate::player::{check_length, play};
 use crate::shell::output::{Folder, quoted};
@@ -12,6 +13,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tilewright_gen::tools::{WITH_COVERS, WITH_MODELS, sources};
 use tilewright_gen::{VerilogFile, testbench, verilog};
+use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::{Design, Recording, Reset, Scenario};
 use tilewright_sim::{EngineKind, Simulation};
 
@@ -24,19 +26,25 @@ Examples:
   tilewright verilog image-merger --set units=8 -o out/ --testbench --json
   tilewright verilog merging-unit -o out/ --constraints sdc
   tilewright verilog counter --reset async-low -o out/
+  tilewright verilog counter --equal-to hand.v
+  tilewright verilog counter --equal-to hand.v --module fast_counter -P LIMIT=6
 
 The testbench replays the block's scenario and compares every output at every clock edge. It prints `PASS: n cycles` or the first mismatch.
 After a mismatch the printed commands end with a non-zero status. It runs in Icarus Verilog and in Verilator.
 A simulation of foreign modules or pads needs the macro TILEWRIGHT_MODELS, which puts their models in their places; a synthesizer must not have it.
 
 The constraints have the block's name: `merging_unit.sdc`. A file of pins has a row for each bit of each port: the port, the pin, and settings.
-`#` begins a comment. Settings are an io type, pull-up or pull-down, and NAME=VALUE in the words of the dialect.")]
+`#` begins a comment. Settings are an io type, pull-up or pull-down, and NAME=VALUE in the words of the dialect.
+
+--equal-to proves, by Yosys and ABC, that a module written by hand has the same outputs as the block in each clock, whatever the inputs are. Ports are
+matched by name. A run begins with a clock in which the reset is active and all inputs are zero. The reset may come again, and outputs are not compared
+while it is active. What starts without a value is zero on both sides. Exit code 1 means that a run shows a difference; 5 that there is neither a proof nor such a run.")]
 pub struct Verilog {
     #[command(flatten)]
     block: BlockArguments,
     /// Folder for the files, created if missing; either all files are written, or none
-    #[arg(short, long, value_name = "FOLDER")]
-    output: PathBuf,
+    #[arg(short, long, value_name = "FOLDER", required_unless_present = "equal_to")]
+    output: Option<PathBuf>,
     /// How the clock resets registers. A kind other than `sync` is part of the modules' names
     #[arg(long, value_name = "KIND", value_parser = names::of::<Kind>("kind of reset"))]
     reset: Option<Kind>,
@@ -45,6 +53,8 @@ pub struct Verilog {
     testbench: bool,
     #[command(flatten)]
     constraints: ConstraintOptions,
+    #[command(flatten)]
+    equal: EqualOptions,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -92,16 +102,32 @@ struct Report<'a> {
 }
 
 impl Verilog {
-    /// Writes the files and reports them.
+    /// Writes the files and reports them, or compares the block with a module.
     pub fn run(self) -> Result<Exit, Failure> {
-        Folder::check(&self.output)?;
+        match (&self.output, self.equal.is_asked()) {
+            (Some(output), false) => self.write(output),
+            _ => self.compare(),
+        }
+    }
+
+    fn compare(&self) -> Result<Exit, Failure> {
+        let (entry, values) = self.block.find()?;
+        self.equal.compare(entry, &values, &self.design(entry, &values)?, self.json)
+    }
+
+    fn design(&self, entry: &Entry, values: &Values) -> Result<Design, Failure> {
+        match self.reset {
+            Some(reset) => design_with(entry, values, reset.into()),
+            None => design(entry, values),
+        }
+    }
+
+    fn write(&self, output: &Path) -> Result<Exit, Failure> {
+        Folder::check(output)?;
         let (entry, values) = self.block.find()?;
         let pins = self.constraints.pins()?;
-        let folder = Folder::make(&self.output)?;
-        let design = match self.reset {
-            Some(reset) => design_with(entry, &values, reset.into())?,
-            None => design(entry, &values)?,
-        };
+        let folder = Folder::make(output)?;
+        let design = self.design(entry, &values)?;
         progress::phase("printing");
         let mut files = verilog(&design);
         files.extend(self.constraints.print(&design, &pins)?);
@@ -112,8 +138,7 @@ impl Verilog {
             cycles = Some(recording.steps.len());
             files.push(testbench(&design, &recording));
         }
-        let commands =
-            if self.testbench { simulators(&self.output, &files, needs_models(&design)) } else { Vec::new() };
+        let commands = if self.testbench { simulators(output, &files, needs_models(&design)) } else { Vec::new() };
         let written = folder.fill(files.iter().map(|file| (file.name.as_str(), file.text.as_bytes())))?;
         if self.json {
             terminal::print_json(&Report {

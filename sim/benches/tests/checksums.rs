@@ -17,7 +17,7 @@ fn check(name: &str, most: u64) {
     for (cycles, checksum) in subject.known().take_while(|(cycles, _)| *cycles <= most) {
         sim.run(cycles - cycle);
         cycle = cycles;
-        assert_eq!(sim.get_u64(csum), checksum.into(), "{name} after {cycles} cycles");
+        assert_eq!(sim.get_u64(csum), u64::from(checksum), "{name} after {cycles} cycles");
     }
     assert_eq!(cycle, most, "no checksum is known");
 }

@@ -1,4 +1,5 @@
 //! The benches: their results, and their Verilog.
 
 mod checksums;
+mod equality;
 mod verilog;

@@ -216,6 +216,44 @@ impl Wave {
         }
     }
 
+    /// Adds a row of values from elsewhere behind the row of that name: one value a column, in the same radix.
+    ///
+    /// ```
+    /// # use tilewright_hdl::Bits;
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.o.count]);
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(3);
+    /// let wave = wave.beside("count", "count by hand", [0, 1, 1].map(|count| Bits::new(8, count)));
+    /// wave.expect(r"
+    ///     clk           |___/~\_/~\_/
+    ///     count         | 0 | 1 | 2 |
+    ///     count by hand | 0 | 1     |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// The wave has no such row, or another number of columns.
+    #[track_caller]
+    pub fn beside(self, row: impl AsRef<str>, name: impl Into<String>, values: impl IntoIterator<Item = Bits>) -> Wave {
+        let (row, values) = (row.as_ref(), values.into_iter().collect::<Vec<Bits>>());
+        let mut data = self.data();
+        let Some(at) = data.rows.iter().position(|it| it.source.name == row) else {
+            let names: Vec<String> = data.rows.iter().map(|row| row.source.name.clone()).collect();
+            drop(data);
+            panic!("{}", UnknownName::new("row", row, &names));
+        };
+        let columns = data.columns.len();
+        assert!(values.len() == columns, "there are {} values for {columns} columns", values.len());
+        let source = Source { name: name.into(), ..data.rows[at].source.clone() };
+        let radix = data.rows[at].radix;
+        data.rows.insert(at + 1, Row { source, values, radix });
+        drop(data);
+        self
+    }
+
     /// Stops drawing, and keeps what was drawn so far.
     ///
     /// ```
