@@ -24,6 +24,8 @@ pub struct Circuit {
 const GUESSES: usize = 4;
 const GUESSED: usize = 300;
 const TRIES: usize = 20;
+/// The most gates that are computed in one of these runs, so that a large circuit costs little time.
+const GUESSED_GATES: usize = 20_000_000;
 
 /// A random bit.
 fn xorshift(random: &mut u64) -> bool {
@@ -107,10 +109,11 @@ impl Circuit {
     pub fn guess(&self, bad: &str, needed: &str) -> Option<Vec<Vec<bool>>> {
         let mut random = 0x9e37_79b9_7f4a_7c15_u64;
         let is = |state: &State, name: &str| self.output(state, name) == [true];
+        let clocks = GUESSED.min(GUESSED_GATES / self.gates().max(1));
         (0..GUESSES).find_map(|_| {
             let mut run: Vec<Vec<bool>> = Vec::new();
             let mut before = None;
-            while run.len() < GUESSED {
+            while run.len() < clocks {
                 let (inputs, state) = (0..TRIES).find_map(|_| {
                     let inputs: Vec<bool> = (0..self.inputs).map(|_| xorshift(&mut random)).collect();
                     let inputs = self.with(needed, inputs)?;

@@ -39,21 +39,25 @@ pub fn decide(circuit: &Circuit, depth: u32, folder: &Path, patience: &Patience)
         std::fs::write(folder.join(name), circuit.question(DIFFERENT, assumed)).map_err(unwritable)?;
     }
     let abc = Abc { circuit, folder, patience };
-    // Registers that are equal are found and merged. What is left of both modules is often nothing.
-    let said = abc.run(ALL, &format!("&get; &scorr; &put; pdr -T {}", abc.part(3)))?;
-    if said.text.contains("Property proved") {
+    // Random inputs find most mistakes at once, and a proof is then in vain.
+    let guessed = circuit.guess(DIFFERENT, QUIET);
+    let said = match guessed {
+        Some(_) => None,
+        // Registers that are equal are found and merged. What is left of both modules is often nothing.
+        None => Some(abc.run(ALL, &format!("&get; &scorr; &put; pdr -T {}", abc.part(3)))?),
+    };
+    if said.as_ref().is_some_and(|said| said.text.contains("Property proved")) {
         return Ok(Decided::Equal);
     }
-    // A shortest run is searched, first one without a further reset, which is easier to read. Where random inputs find
-    // one, it is not longer.
-    let guessed = circuit.guess(DIFFERENT, QUIET);
+    // A shortest run is searched, first one without a further reset, which is easier to read. It is not longer than one
+    // that random inputs have found.
     let most = guessed.as_ref().map_or(depth, |inputs| depth.min(inputs.len() as u32));
     let seconds = if guessed.is_some() { SHORTENING } else { abc.part(3) };
     if let Some(inputs) = abc.search(WITHOUT_RESET, most, seconds)?.run.or(guessed) {
         return Ok(Decided::Differs(inputs));
     }
     let searched = abc.search(ALL, depth, abc.part(1))?;
-    Ok(match searched.run.or(said.run) {
+    Ok(match searched.run.or(said.and_then(|said| said.run)) {
         Some(inputs) => Decided::Differs(inputs),
         None => Decided::Open { clocks: clocks(&searched.text) },
     })
