@@ -18,16 +18,16 @@ pub struct EqualOptions {
     #[arg(long, value_name = "FILE", conflicts_with_all = ["output", "testbench", "constraints", "pins"])]
     equal_to: Vec<PathBuf>,
     /// The module's name [default: the block's, or the one that no other contains]
-    #[arg(long, value_name = "NAME", requires = "equal_to")]
+    #[arg(long, value_name = "NAME", requires = "equal_to", conflicts_with = "output")]
     module: Option<String>,
     /// Value of a parameter of the module; may be repeated
-    #[arg(short = 'P', value_name = "NAME=VALUE", value_parser = parameter, requires = "equal_to")]
+    #[arg(short = 'P', value_name = "NAME=VALUE", value_parser = parameter, requires = "equal_to", conflicts_with = "output")]
     parameters: Vec<(String, i64)>,
     /// The number of clocks in which a difference is searched if there is no proof
-    #[arg(long, value_name = "CLOCKS", default_value_t = 50, value_parser = number(1_u32..=10_000), requires = "equal_to")]
+    #[arg(long, value_name = "CLOCKS", default_value_t = 50, value_parser = number(1_u32..=10_000), requires = "equal_to", conflicts_with = "output")]
     depth: u32,
     /// End the search after this number of seconds
-    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = number(1_u64..=1_000_000), requires = "equal_to")]
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = number(1_u64..=1_000_000), requires = "equal_to", conflicts_with = "output")]
     seconds: u64,
 }
 
@@ -113,11 +113,23 @@ impl EqualOptions {
             Verdict::Differs(run) => {
                 let (clock, module, outputs) = (run.clock, &run.module, run.outputs.join("`, `"));
                 format!(
-                    "`{outputs}` of {module} in {files} differs from {own} in clock {clock}:\n\n{}",
+                    "`{outputs}` of {module} in {files} differs from {own} in clock {clock}{}:\n\n{}",
+                    resets(run),
                     wave(design, run)?
                 )
             }
         })
+    }
+}
+
+/// The clocks in which the reset is active, which the wave does not show.
+fn resets(run: &Difference) -> String {
+    let steps = run.recording.steps.iter().enumerate();
+    let clocks = steps.filter(|(_, step)| !step.resets.is_empty()).map(|(clock, _)| clock.to_string());
+    match &clocks.collect::<Vec<String>>()[..] {
+        [] => String::new(),
+        [one] => format!(", after a reset in clock {one}"),
+        several => format!(", after resets in clocks {}", several.join(", ")),
     }
 }
 

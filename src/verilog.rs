@@ -27,7 +27,7 @@ Examples:
   tilewright verilog merging-unit -o out/ --constraints sdc
   tilewright verilog counter --reset async-low -o out/
   tilewright verilog counter --equal-to hand.v
-  tilewright verilog counter --equal-to hand.v --module fast_counter -P LIMIT=6
+  tilewright verilog counter --set limit=6 --equal-to hand.v --module hand_counter -P LIMIT=6
 
 The testbench replays the block's scenario and compares every output at every clock edge. It prints `PASS: n cycles` or the first mismatch.
 After a mismatch the printed commands end with a non-zero status. It runs in Icarus Verilog and in Verilator.

@@ -9,6 +9,7 @@ mod determinism;
 mod diagram;
 mod documentation;
 mod engine;
+mod equal;
 mod explain;
 pub mod harness;
 mod interruption;
