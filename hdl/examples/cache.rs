@@ -78,6 +78,7 @@ block! {
     ranges { sets: powers_of_two(2..=4096), words: powers_of_two(2..=64) }
     latency = "1 clock for a hit, and a hit every 2 clocks";
     in(self) CacheIn {
+        /// The requests of the processor.
         requests: stream(Request::widths(self.address)),
         /// The words that the memory was asked to read, in the order of the requests.
         fetched: stream(bits(32)),
@@ -85,6 +86,7 @@ block! {
     out(self) CacheOut {
         /// A word for each request: as it was before the request.
         words: stream(bits(32)),
+        /// What the memory has to read and to write.
         transfers: stream(Transfer::widths(self.address)),
     }
 }

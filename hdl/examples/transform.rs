@@ -25,9 +25,13 @@ block! {
         place: below(16),
         /// The coefficient.
         coefficient: bits(self.width).signed(),
+        /// The vectors, of four elements each.
         vectors: stream(bits(self.width).signed().of(row(4))),
     }
-    out TransformOut { results: stream(_) }
+    out TransformOut {
+        /// The products, one for each vector.
+        results: stream(_),
+    }
 }
 
 impl Transform {

@@ -11,8 +11,14 @@ block! {
         pub clocks_per_bit: u32,
     }
     latency = "1 clock to the start bit";
-    in TransmitterIn { bytes: stream(bits(8)) }
-    out TransmitterOut { tx: bit() }
+    in TransmitterIn {
+        /// What is to be sent.
+        bytes: stream(bits(8)),
+    }
+    out TransmitterOut {
+        /// The line.
+        tx: bit(),
+    }
 }
 
 impl Transmitter {
@@ -42,6 +48,7 @@ block! {
         rx: bit(),
     }
     out ReceiverOut {
+        /// What was received.
         bytes: stream(bits(8)),
         /// The stop bit is low: the byte is invalid.
         framing_error: bit(),
