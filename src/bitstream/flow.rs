@@ -8,7 +8,7 @@ use crate::synth::programs::{Ended, Program, Programs, packer};
 use crate::synth::report::Resource;
 use crate::synth::timing::{Timing, utilisation};
 use serde::Serialize;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use tilewright_boards::Top;
 use tilewright_gen::VerilogFile;
 use tilewright_gen::tools::sources;
@@ -19,13 +19,15 @@ pub struct Task {
     pub family: Family,
     pub programs: Programs,
     packer: Program,
-    pub seed: u32,
+    pub seed: Option<u32>,
     /// Whether the netlist is wanted as Verilog.
     netlist: bool,
 }
 
 /// What came of it.
 pub struct Made {
+    /// The placer's.
+    pub seed: u32,
     pub resources: Vec<Resource>,
     /// What there is too little of.
     pub lacking: Vec<Resource>,
@@ -43,6 +45,9 @@ pub struct Speed {
     pub wanted: f64,
 }
 
+/// So many placements are tried if no seed is given.
+pub const TRIES: u32 = 5;
+
 const SCRIPT: &str = "synth.ys";
 const SYNTHESIZED: &str = "synthesized.json";
 const NETLIST: &str = "netlist.v";
@@ -58,7 +63,7 @@ const KEPT: [&str; 5] = [SCRIPT, NETLIST, TIMING, YOSYS_LOG, NEXTPNR_LOG];
 impl Task {
     /// # Errors
     /// A program is not installed.
-    pub fn find(top: &Top, seed: u32, netlist: bool) -> Result<Task, Failure> {
+    pub fn find(top: &Top, seed: Option<u32>, netlist: bool) -> Result<Task, Failure> {
         let family = family(top.device);
         let programs = Programs::find(family.device)?;
         let packer = packer(family.packer)?;
@@ -76,20 +81,32 @@ impl Task {
         let top = &design.top().name;
         let constraints = files.last().map_or("", |file| file.name.as_str());
         self.synthesize(top, files, space)?;
-        let (ended, made) = self.place(constraints, space)?;
-        if !made.lacking.is_empty() {
-            return Ok(made);
-        }
-        if !matches!(ended, Ended::Well) {
-            return Err(failed(space, NEXTPNR_LOG, &self.programs.nextpnr.name));
-        }
-        let clocks = speeds(space)?;
-        if clocks.iter().any(|clock| clock.mhz < clock.wanted) {
-            return Ok(Made { clocks, ..made });
-        }
+        let mut seeds = self.seeds();
+        let made = loop {
+            let seed = seeds.next().expect("the last one ends it");
+            let (ended, made) = self.place(seed, constraints, space)?;
+            if !made.lacking.is_empty() {
+                return Ok(made);
+            }
+            if !matches!(ended, Ended::Well) {
+                return Err(failed(space, NEXTPNR_LOG, &self.programs.nextpnr.name));
+            }
+            let clocks = speeds(space)?;
+            let is_in_time = clocks.iter().all(|clock| clock.mhz >= clock.wanted);
+            match is_in_time {
+                true => break Made { clocks, ..made },
+                false if seeds.is_empty() => return Ok(Made { clocks, ..made }),
+                false => {}
+            }
+        };
         let name = format!("{top}.{}", self.family.ending);
         self.pack(&name, space)?;
-        Ok(Made { clocks, bitstream: Some(name), ..made })
+        Ok(Made { bitstream: Some(name), ..made })
+    }
+
+    /// The seeds to try, one after the other.
+    fn seeds(&self) -> Range<u32> {
+        self.seed.map_or(1..1 + TRIES, |seed| seed..seed + 1)
     }
 
     /// The files for a user to keep.
@@ -119,12 +136,12 @@ impl Task {
     }
 
     /// Runs nextpnr until it has ended or it is clear that the machine does not fit.
-    fn place(&self, constraints: &str, space: &Workspace) -> Result<(Ended, Made), Failure> {
+    fn place(&self, seed: u32, constraints: &str, space: &Workspace) -> Result<(Ended, Made), Failure> {
         progress::phase("placing");
         let Family { device, constraints: option, configuration, .. } = &self.family;
-        let seed = self.seed.to_string();
+        let number = seed.to_string();
         let own = ["--json", SYNTHESIZED, option, constraints, configuration, CONFIGURATION];
-        let how = ["--report", TIMING, "--seed", &seed, "--timing-allow-fail"];
+        let how = ["--report", TIMING, "--seed", &number, "--timing-allow-fail"];
         let arguments = device.arguments().iter().copied().chain(own).chain(how).map(str::to_owned);
         let mut rows = Vec::new();
         let nextpnr = &self.programs.nextpnr;
@@ -146,7 +163,7 @@ impl Task {
             .map(|row| Resource { name: row.name.clone(), used: row.used, available: row.available })
             .collect();
         let lacking = lacking(&resources, &rows);
-        Ok((ended, Made { resources, lacking, clocks: Vec::new(), bitstream: None }))
+        Ok((ended, Made { seed, resources, lacking, clocks: Vec::new(), bitstream: None }))
     }
 
     fn pack(&self, name: &str, space: &Workspace) -> Result<(), Failure> {

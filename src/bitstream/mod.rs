@@ -38,9 +38,9 @@ pub struct Bitstream {
     /// Folder for the bitstream and what leads to it, created if missing
     #[arg(short, long, value_name = "FOLDER", required_unless_present = "list")]
     output: Option<PathBuf>,
-    /// Seed of the placer
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = number(1_u32..=1_000_000))]
-    seed: u32,
+    /// Seed of the placer [default: 1 to 5, one after the other, until all clocks are fast enough]
+    #[arg(long, value_name = "N", value_parser = number(1_u32..=1_000_000))]
+    seed: Option<u32>,
     /// Write the netlist too, as Verilog for a simulator with Yosys's models of the cells
     #[arg(long)]
     netlist: bool,

@@ -38,7 +38,7 @@ impl<'a> Report<'a> {
             board: top.board,
             part: task.family.device.part(),
             tools: [&programs.yosys.version, &programs.nextpnr.version],
-            seed: task.seed,
+            seed: made.seed,
             resources: &made.resources,
             lacking: &made.lacking,
             clocks: &made.clocks,
