@@ -14,5 +14,5 @@ pub mod vc1;
 pub use dvi::{DviSender, DviSenderIn, DviSenderOut};
 pub use picture::{Colour, Picture, PictureIn};
 pub use screen::{Screen, ScreenIn, Shown};
-pub use test_picture::{TestPicture, TestPictureOnUlx3s, TestPictureOnUlx3sOut};
+pub use test_picture::{TestPicture, TestPictureOnUlx3s};
 pub use top::{Device, TOPS, Top};

@@ -2,9 +2,9 @@
 
 use crate::picture::{Colour, Picture, PictureIn};
 use crate::screen::Screen;
-use crate::ulx3s;
+use crate::ulx3s::{self, Socket};
 use tilewright_blocks::VideoTiming;
-use tilewright_hdl::{Module, bit, block, def, lit, mux, row};
+use tilewright_hdl::{Module, block, def, lit, mux};
 
 block! {
     /// A chessboard. Its white squares are windows to bars that move to the left by a pixel a frame, and its black ones
@@ -41,18 +41,12 @@ block! {
         pub timing: VideoTiming,
     }
     name = "test_picture";
-    out TestPictureOnUlx3sOut {
-        /// Blue, green, red and the clock.
-        tmds: bit().of(row(4)),
-        /// The PLL has locked.
-        locked: bit(),
-    }
+    out = Socket;
 }
 
 impl TestPictureOnUlx3s {
-    fn build(&self, m: Module, (): ()) -> TestPictureOnUlx3sOut {
+    fn build(&self, m: Module, (): ()) -> Socket {
         let screen = Screen { picture: TestPicture, timing: self.timing.clone(), double: false };
-        let (tmds, locked) = ulx3s::show(m, &screen, &[]);
-        TestPictureOnUlx3sOut { tmds, locked }
+        ulx3s::show(m, &screen, &[])
     }
 }

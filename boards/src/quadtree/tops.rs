@@ -1,7 +1,7 @@
 //! The machine on boards.
 
 use tilewright_blocks::VideoTiming;
-use tilewright_hdl::{Module, bit, block, row};
+use tilewright_hdl::{Module, block};
 use tilewright_rtl::parameter::{ParameterError, Screen as Pixels};
 use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_rtl::quadtree::format::{Format, Matrix};
@@ -16,7 +16,7 @@ use super::store::Store;
 use super::turning::{Step, Turning};
 use crate::icebreaker::{self, Pmod};
 use crate::screen::Screen;
-use crate::ulx3s;
+use crate::ulx3s::{self, Socket};
 
 /// A machine for a board, with what it draws.
 #[derive(Debug, Clone)]
@@ -107,12 +107,7 @@ block! {
         pub timing: VideoTiming,
     }
     name = "quadtree";
-    out QuadtreeOnUlx3sOut {
-        /// Blue, green, red and the clock.
-        tmds: bit().of(row(4)),
-        /// The PLL has locked.
-        locked: bit(),
-    }
+    out = Socket;
 }
 
 impl QuadtreeOnUlx3s {
@@ -125,10 +120,9 @@ impl QuadtreeOnUlx3s {
         Ok(QuadtreeOnUlx3s { picture: quadtree_on_ulx3s()?.picture, timing: VideoTiming::VGA })
     }
 
-    fn build(&self, m: Module, (): ()) -> QuadtreeOnUlx3sOut {
+    fn build(&self, m: Module, (): ()) -> Socket {
         let screen = Screen { picture: self.picture.clone(), timing: self.timing.clone(), double: false };
-        let (tmds, locked) = ulx3s::show(m, &screen, &[]);
-        QuadtreeOnUlx3sOut { tmds, locked }
+        ulx3s::show(m, &screen, &[])
     }
 }
 

@@ -8,7 +8,7 @@ use crate::picture::Picture;
 use crate::screen::{Screen, ScreenIn};
 pub use pads::{DoubleRate, DoubleRateIn, DoubleRateOut};
 pub use pll::{CorePll, MachinePll, PllIn, PllOut, SerialPll, at_rest};
-use tilewright_hdl::{Clock, Module, Period, Reset, Signal, bit, def, lit};
+use tilewright_hdl::{Clock, Module, Period, Reset, Signal, bit, def, lit, record, row};
 
 /// The board's oscillator, which is also the clock of the pixels: 640 x 480 at 59.5 Hz.
 pub const PIXEL: Clock = Clock::new("pixel", Period::ns(40)).reset(Reset::PowerOn);
@@ -25,11 +25,19 @@ pub const PINS: &str = include_str!("../../ulx3s.pins");
 /// What loads a bitstream onto the board, until it is switched off.
 pub const LOADER: &str = "openFPGALoader --board ulx3s";
 
+record! {
+    /// The pins of a top with a picture.
+    pub struct Socket {
+        /// Blue, green, red and the clock.
+        tmds: bit().of(row(4)),
+        /// All PLLs have locked.
+        locked: bit(),
+    }
+}
+
 /// Shows a screen on the board's socket: describes the PLL of the lines, the screen, the sender and the pads in the
 /// top `m`. `clocks` are high once the other clocks of the picture run.
-///
-/// Returns the four lines, and whether all clocks run.
-pub fn show<P: Picture>(m: Module, screen: &Screen<P>, clocks: &[Signal]) -> (Signal, Signal) {
+pub fn show<P: Picture>(m: Module, screen: &Screen<P>, clocks: &[Signal]) -> Socket {
     let (pixel, serial) = (m.on(PIXEL), m.on(SERIAL));
     def!(pll = m.instance(&SerialPll, at_rest()));
     let synchronized = (0..).zip(clocks).map(|(number, lock)| pixel.synchronize(&format!("locked{number}"), *lock));
@@ -43,5 +51,5 @@ pub fn show<P: Picture>(m: Module, screen: &Screen<P>, clocks: &[Signal]) -> (Si
     def!(sender = m.instance(&sender, DviSenderIn { shown: screen, runs: locked }));
     let into = DoubleRateIn { rst: lit(1, 0), d0: sender.first, d1: sender.second };
     def!(tmds = serial.array(4, &DoubleRate, |_| into));
-    (tmds.q, locked)
+    Socket { tmds: tmds.q, locked }
 }

@@ -35,7 +35,7 @@ pub use processor::{COLOUR_BITS, Processor, ProcessorIn, ProcessorOut};
 pub use round::{Round, RoundIn, RoundOut};
 pub use scene::{BACKGROUND, NoScene, Turning};
 pub use store::{Store, StoreIn, StoreOut};
-pub use top::{Vc1OnUlx3s, Vc1OnUlx3sOut};
+pub use top::Vc1OnUlx3s;
 
 use crate::picture::{Colour, Picture, PictureIn};
 use tilewright_hdl::{Layout, Module, Signal, bit, block, cat, constants, def, lit, one_of, row};

@@ -2,9 +2,9 @@
 
 use super::{NoScene, Turning, Vc1Picture};
 use crate::screen::Screen;
-use crate::ulx3s::{self, MachinePll, at_rest};
+use crate::ulx3s::{self, MachinePll, Socket, at_rest};
 use tilewright_blocks::VideoTiming;
-use tilewright_hdl::{Module, bit, block, def, row};
+use tilewright_hdl::{Module, block, def};
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::Screen as Size;
@@ -19,12 +19,7 @@ block! {
         pub timing: VideoTiming,
     }
     name = "vc1_on_ulx3s";
-    out Vc1OnUlx3sOut {
-        /// Blue, green, red and the clock.
-        tmds: bit().of(row(4)),
-        /// The PLLs have locked.
-        locked: bit(),
-    }
+    out = Socket;
 }
 
 impl Vc1OnUlx3s {
@@ -42,12 +37,11 @@ impl Vc1OnUlx3s {
         Ok(Vc1OnUlx3s { picture, timing: VideoTiming::VGA })
     }
 
-    fn build(&self, m: Module, (): ()) -> Vc1OnUlx3sOut {
+    fn build(&self, m: Module, (): ()) -> Socket {
         m.reset_by_power_on(PE);
         m.reset_by_power_on(MERGE);
         def!(machine_pll = m.instance(&MachinePll, at_rest()));
         let screen = Screen { picture: self.picture.clone(), timing: self.timing.clone(), double: true };
-        let (tmds, locked) = ulx3s::show(m, &screen, &[machine_pll.lock]);
-        Vc1OnUlx3sOut { tmds, locked }
+        ulx3s::show(m, &screen, &[machine_pll.lock])
     }
 }
