@@ -79,6 +79,30 @@ impl Saved {
         }
     }
 
+    /// Calls `value` and `word` with what differs from another state of the program, and with its limbs in both.
+    pub fn for_each_difference(
+        &self,
+        other: &Saved,
+        program: &Program,
+        mut value: impl FnMut(ValueId, u32, [&[u64]; 2]),
+        mut word: impl FnMut(u32, u32, u32, [&[u64]; 2]),
+    ) {
+        let mut values = Limbs::of(&other.values);
+        self.for_each_lane(program, |id, lane, limbs| {
+            let other = values.next(limbs.len());
+            if limbs != other {
+                value(id, lane, [limbs, other]);
+            }
+        });
+        let mut memories: Vec<Limbs> = other.memories.iter().map(|pages| Limbs::of(pages)).collect();
+        self.for_each_word(program, |memory, lane, address, limbs| {
+            let other = memories[memory as usize].next(limbs.len());
+            if limbs != other {
+                word(memory, lane, address, [limbs, other]);
+            }
+        });
+    }
+
     /// The bytes that it takes beside an earlier state, whose pages it may share.
     pub fn bytes_beside(&self, before: Option<&Saved>) -> usize {
         let own = self.pages().map(|page| size_of_val(&page[..])).sum::<usize>();

@@ -149,27 +149,18 @@ impl Checkpoint {
         assert!(self.is_of(&other.program), "the checkpoints are of different designs");
         let program = &*self.program;
         let (mut values, mut words) = (Differing::default(), Differing::default());
-        let mut lanes = Vec::new();
-        other.saved.for_each_lane(program, |_, _, limbs| lanes.push(limbs.to_vec()));
-        let mut others = lanes.iter();
-        self.saved.for_each_lane(program, |id, lane, limbs| {
-            let other = others.next().expect("they have the same form");
-            if other != limbs {
-                let pair = [limbs, other].map(|limbs| Bits::from_limbs(program.circuit[id].width, limbs));
+        self.saved.for_each_difference(
+            &other.saved,
+            program,
+            |id, lane, both| {
+                let pair = both.map(|limbs| Bits::from_limbs(program.circuit[id].width, limbs));
                 values.entry(id.0).or_default().push((lane, 0, pair));
-            }
-        });
-        lanes.clear();
-        other.saved.for_each_word(program, |_, _, _, limbs| lanes.push(limbs.to_vec()));
-        let mut others = lanes.iter();
-        self.saved.for_each_word(program, |memory, lane, address, limbs| {
-            let other = others.next().expect("they have the same form");
-            if other != limbs {
-                let width = program.memories[memory as usize].width;
-                let pair = [limbs, other].map(|limbs| Bits::from_limbs(width, limbs));
+            },
+            |memory, lane, address, both| {
+                let pair = both.map(|limbs| Bits::from_limbs(program.memories[memory as usize].width, limbs));
                 words.entry(memory).or_default().push((lane, address, pair));
-            }
-        });
+            },
+        );
         named(program, &values, &words)
     }
 
