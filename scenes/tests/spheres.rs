@@ -33,11 +33,22 @@ fn polygons(scene: &Scene) -> Polygons {
     project_polygons(scene, scene.size).unwrap()
 }
 
+/// The width and height of the screen, and the size of a pixel at distance 1.
+fn screen(scene: &Scene) -> [f64; 3] {
+    let [width, height] = [scene.size.width(), scene.size.height()].map(f64::from);
+    [width, height, (scene.camera.fov / 2.0).to_radians().tan() / (height / 2.0)]
+}
+
 /// A ray through a place on the screen, in pixels; its first component is 1.
 fn ray(scene: &Scene, [x, y]: [f64; 2]) -> DVec3 {
-    let [width, height] = [scene.size.width(), scene.size.height()].map(f64::from);
-    let pixel = (scene.camera.fov / 2.0).to_radians().tan() / (height / 2.0);
+    let [width, height, pixel] = screen(scene);
     dvec3(1.0, -(x - width / 2.0) * pixel, -(y - height / 2.0) * pixel)
+}
+
+/// The place of a point, in pixels, which may be beside the screen.
+fn place(scene: &Scene, point: DVec3) -> [f64; 2] {
+    let [width, height, pixel] = screen(scene);
+    [width / 2.0 - point.y / point.x / pixel, height / 2.0 - point.z / point.x / pixel]
 }
 
 /// The distances along the line of sight at which a ray meets a sphere.
@@ -59,10 +70,15 @@ fn covered(packet: &SpherePacket) -> impl Iterator<Item = (u32, u32)> {
     (b.top..=b.bottom).flat_map(move |y| (b.left..=b.right).map(move |x| (x, y))).filter(|&(x, y)| packet.covers(x, y))
 }
 
-/// The largest error, in units, of a number with 16 fraction bits whose coefficients are each rounded.
-fn rounding(packet: &SpherePacket) -> f64 {
+/// The largest error, in units, of a number with 16 fraction bits whose coefficients are each rounded. It grows with the
+/// distance from the middle, which may be beside the screen.
+fn rounding(scene: &Scene, packet: &SpherePacket) -> f64 {
     let b = packet.bounds;
-    let reach = f64::from((b.right - b.left).max(b.bottom - b.top)) + 4.0;
+    let [x, y] = place(scene, scene.spheres[packet.polygon as usize].centre);
+    let beside = |middle: f64, edges: [u32; 2]| {
+        edges.map(|edge| (f64::from(edge) - middle).abs()).into_iter().fold(0.0, f64::max)
+    };
+    let reach = 2.0 * f64::max(beside(x, [b.left, b.right]), beside(y, [b.top, b.bottom])) + 4.0;
     1.0 + 1.5 * reach * reach / 65536.0
 }
 
@@ -130,7 +146,7 @@ proptest! {
             let (middle, half) = ((front + back) / 2.0, (back - front) / 2.0);
             let found = f64::from(packet.depth(x, y));
             let expected = middle - half * half / most;
-            let error = rounding(packet);
+            let error = rounding(&scene, packet);
             prop_assert!((found - expected).abs() <= error, "{} for {} at ({}, {})", found, expected, x, y);
             prop_assert!(found >= front - error && found - front <= most / 4.0 + error);
         }
@@ -153,7 +169,7 @@ proptest! {
             for (x, y) in [(left - 255, top - 255), (left - 255, bottom + 255), (right + 255, top - 255), (right + 255, bottom + 255)] {
                 prop_assert!(packet.inside.at(x, y).abs() < 1 << VALUE_BITS);
             }
-            let most = rounding(packet);
+            let most = rounding(&scene, packet);
             let mut last = None;
             for (x, y) in covered(packet) {
                 prop_assert!((NEAREST_VERTEX..=FARTHEST_VERTEX).contains(&packet.depth(x, y)));
@@ -188,7 +204,7 @@ proptest! {
             let brightness = (ambient + (sum + normal.dot(light)) / 2.0) / most;
             for (found, full) in packet.rgb(x, y).into_iter().zip(ball.colour) {
                 let expected = f64::from(full) * brightness;
-                prop_assert!((f64::from(found) - expected).abs() <= rounding(packet), "{} for {}", found, expected);
+                prop_assert!((f64::from(found) - expected).abs() <= rounding(&scene, packet), "{} for {}", found, expected);
             }
         }
     }
