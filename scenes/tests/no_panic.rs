@@ -235,7 +235,7 @@ proptest! {
     #[test]
     fn a_picture_that_was_changed(kind in 0..4_usize, places in proptest::collection::vec((0..600_usize, any::<u8>()), 1..5)) {
         let name = ["baseline.jpg", "progressive.jpg", "cmyk.jpg", "turned.jpg"][kind];
-        let mut bytes = fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/pictures").join(name)).unwrap();
+        let mut bytes = fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("data/pictures").join(name)).unwrap();
         let length = bytes.len();
         places.iter().for_each(|&(i, byte)| bytes[i % length] = byte);
         fs::write(path("changed.jpg"), bytes).unwrap();

@@ -30,7 +30,7 @@ fn error(folder: &Path, texture: &str) -> String {
 /// The folder of a test with the pictures of `tests/data/pictures`: quarters of red and green above blue and white, 16x16 pixels.
 fn with_data(test: &str) -> std::path::PathBuf {
     let folder = folder(test, &[]);
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/pictures");
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/pictures");
     for entry in fs::read_dir(data).unwrap() {
         let entry = entry.unwrap();
         fs::copy(entry.path(), folder.join(entry.file_name())).unwrap();

@@ -14,7 +14,7 @@ use tilewright_scenes::{Camera, Frame, Lighting, Scene, Size, golden};
 const SIDE: u32 = 32;
 
 fn data(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/real").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("data/real").join(name)
 }
 
 /// The scene of a file, seen from the front.
