@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::{Bits, Design};
-use tilewright_prove::{Difference, Equivalence, Value, Verdict};
+use tilewright_prove::{Difference, Equivalence, Stage, Value, Verdict};
 use tilewright_sim::{Probe, Simulation};
 
 /// What a block is compared with.
@@ -107,8 +107,18 @@ impl EqualOptions {
         let (own, files) = (&design.top().name, files.join(", "));
         Ok(match verdict {
             Verdict::Equal => format!("{files} is equal to {own}, for all inputs\n"),
-            Verdict::Open { clocks } => format!(
-                "not settled: {files} is equal to {own} in {clocks} clocks, and nothing is known of later ones; --seconds and --depth give it more\n"
+            Verdict::Open { clocks: 0, late } => {
+                let at = match late {
+                    Some(Stage::Conversion) => "while Yosys made a circuit of both modules",
+                    _ => "before a clock was searched",
+                };
+                format!(
+                    "not settled: the time was over {at}, so nothing is known of {files} and {own}: give more --seconds, or both smaller parameters\n"
+                )
+            }
+            Verdict::Open { clocks, .. } => format!(
+                "not settled: {files} is equal to {own} in {clocks} clock{}, and nothing is known of later ones: give more --seconds, or a larger --depth\n",
+                if *clocks == 1 { "" } else { "s" }
             ),
             Verdict::Differs(run) => {
                 let (clock, module, outputs) = (run.clock, &run.module, run.outputs.join("`, `"));
@@ -170,7 +180,7 @@ fn report<'a>(entry: &'a Entry, values: &'a Values, design: &'a Design, verdict:
     let (result, clocks, run) = match verdict {
         Verdict::Equal => ("equal", None, None),
         Verdict::Differs(run) => ("differs", None, Some(run_report(design, run))),
-        Verdict::Open { clocks } => ("open", Some(*clocks), None),
+        Verdict::Open { clocks, .. } => ("open", Some(*clocks), None),
     };
     Report { format: 1, block: entry.name, parameters: values.iter().collect(), result, clocks, run }
 }

@@ -12,7 +12,7 @@ use std::time::Duration;
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::ir::Directive;
 use tilewright_hdl::{Design, Period};
-use tilewright_prove::{Outcome, Proof, Prover, Run, Statement};
+use tilewright_prove::{Outcome, Proof, Prover, Run, Stage, Statement};
 use tilewright_sim::{Probe, Simulation};
 
 /// Proves a block's assertions, and searches runs that reach its covers
@@ -43,7 +43,7 @@ pub struct Prove {
     /// The number of clocks to search, and to prove over
     #[arg(long, value_name = "CLOCKS", default_value_t = 20, value_parser = number(1_u32..=10_000))]
     depth: u32,
-    /// End the search after this number of seconds [default: no limit]
+    /// End the proof after this number of seconds, with what is known then [default: no limit]
     #[arg(long, value_name = "SECONDS", value_parser = number(1_u64..=1_000_000))]
     seconds: Option<u64>,
     /// Show the run of the statement with this number [default: the first assertion that fails]
@@ -176,6 +176,9 @@ fn table(proof: &Proof, design: &Design) -> String {
         let unit = if clocks > 1 { "edges" } else { "clocks" };
         text += &format!("the assumptions allow no run of more than {most} {unit}: nothing later is searched\n");
     }
+    if let Some(stage) = proof.late {
+        text += &format!("{}\n", late(stage));
+    }
     let is_unreached = |it: &Statement| is_inner_cover(it, top) && !matches!(it.outcome, Outcome::Fails(_));
     if proof.statements.iter().any(is_unreached) {
         text += &format!(
@@ -183,6 +186,19 @@ fn table(proof: &Proof, design: &Design) -> String {
         );
     }
     text
+}
+
+/// What the time was too short for, and what to do.
+fn late(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Conversion => {
+            "the time was over while Yosys made formulas of the block: give more --seconds, or --set smaller parameters"
+        }
+        Stage::Search => "the time was over while Z3 searched: give more --seconds, or --set smaller parameters",
+        Stage::Invariant => {
+            "the time was over while ABC searched an invariant: give more --seconds, or a larger --depth"
+        }
+    }
 }
 
 fn row(number: usize, statement: &Statement, clocks: usize) -> [String; 5] {
@@ -202,6 +218,7 @@ fn result(statement: &Statement, clocks: usize) -> String {
             format!("proved, {by}{}", if *needs_periods { ", these periods" } else { "" })
         }
         Outcome::Fails(run) => format!("{} {}", if is_cover { "reached" } else { "fails" }, when(run, clocks)),
+        Outcome::Holds { clocks: 0 } => "not searched".to_owned(),
         Outcome::Holds { clocks: searched } => {
             let unit = if clocks > 1 { "edge" } else { "clock" };
             let plural = if *searched == 1 { "" } else { "s" };
@@ -225,6 +242,8 @@ struct Report<'a> {
     parameters: BTreeMap<&'a str, u64>,
     /// After so many clocks the assumptions allow no further one.
     ends_after: Option<u32>,
+    /// What the time was too short for: `conversion`, `search` or `invariant`.
+    late: Option<&'static str>,
     statements: Vec<Row<'a>>,
 }
 
@@ -267,6 +286,11 @@ fn report<'a>(entry: &'a Entry, values: &Values, design: &'a Design, proof: &'a 
         block: entry.name,
         parameters: values.iter().collect(),
         ends_after: proof.ends_after,
+        late: proof.late.map(|stage| match stage {
+            Stage::Conversion => "conversion",
+            Stage::Search => "search",
+            Stage::Invariant => "invariant",
+        }),
         statements: proof.statements.iter().map(|it| row_report(design, it)).collect(),
     }
 }
@@ -321,7 +345,7 @@ mod tests {
         let (message, module) = ("it happens".to_owned(), module.to_owned());
         let loc = Loc::caller();
         let statement = Statement { directive: Directive::Cover, message, module, loc, outcome, time: Duration::ZERO };
-        Proof { statements: vec![statement], ends_after: None }
+        Proof { statements: vec![statement], ends_after: None, late: None }
     }
 
     #[test]

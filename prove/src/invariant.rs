@@ -17,7 +17,7 @@ const MOST_SECONDS: u64 = 60;
 ///
 /// # Errors
 ///
-/// Yosys fails, or the watcher asks to stop.
+/// Yosys fails, the time is over, or the watcher asks to stop.
 pub fn is_found(prepared: &Prepared, edges: Edges, patience: &Patience) -> Result<bool, Halt> {
     let folder = temporary()?;
     let files = verilog_in(folder.path(), prepared, edges)?;
@@ -30,5 +30,9 @@ pub fn is_found(prepared: &Prepared, edges: Edges, patience: &Patience) -> Resul
     let seconds = left.unwrap_or(MOST_SECONDS).clamp(1, MOST_SECONDS);
     let commands = format!("read_aiger model.aig; fold; orpos; pdr -T {seconds}");
     let found = run(ABC, &["-c", &commands], folder.path(), patience)?;
-    Ok(found.is_some_and(|(_, output)| output.contains("Property proved")))
+    let said = found.map(|(_, output)| output).unwrap_or_default();
+    if left.is_some_and(|left| left <= MOST_SECONDS) && said.contains("Reached timeout") {
+        return Err(Halt::Late);
+    }
+    Ok(said.contains("Property proved"))
 }

@@ -1,7 +1,7 @@
 //! What is known of each statement, after one pass or several.
 
 use crate::prepare::Stated;
-use crate::{Outcome, Proof, Statement};
+use crate::{Outcome, Proof, Stage, Statement};
 use std::time::Duration;
 use tilewright_hdl::ir::Directive;
 
@@ -13,6 +13,8 @@ pub struct Known {
     wanted: Vec<usize>,
     /// As in [`Proof::ends_after`].
     pub ends_after: Option<u32>,
+    /// As in [`Proof::late`].
+    pub late: Option<Stage>,
 }
 
 impl Known {
@@ -20,7 +22,7 @@ impl Known {
     pub fn nothing(stated: &[Stated]) -> Known {
         let is_wanted = |number: &usize| matches!(stated[*number].directive, Directive::Assert | Directive::Cover);
         let wanted = (0..stated.len()).filter(is_wanted).collect();
-        Known { outcomes: stated.iter().map(|_| None).collect(), wanted, ends_after: None }
+        Known { outcomes: stated.iter().map(|_| None).collect(), wanted, ends_after: None, late: None }
     }
 
     /// What is known of a statement.
@@ -44,6 +46,14 @@ impl Known {
         self.outcomes[number] = Some((outcome, time));
     }
 
+    /// Adds that the time was over in the conversion: of what is not known yet, nothing was searched.
+    pub fn stop_in_conversion(&mut self) {
+        for number in self.wanted.clone() {
+            self.outcomes[number].get_or_insert((Outcome::Holds { clocks: 0 }, Duration::ZERO));
+        }
+        self.late = Some(Stage::Conversion);
+    }
+
     /// All of this, statement by statement, at the end of a proof that took `total`.
     pub fn proof(self, stated: Vec<Stated>, total: Duration) -> Proof {
         let all = stated.into_iter().zip(self.outcomes);
@@ -53,6 +63,6 @@ impl Known {
             let Stated { directive, message, module, loc } = stated;
             Some(Statement { directive, message, module, loc, outcome, time })
         });
-        Proof { statements: statements.collect(), ends_after: self.ends_after }
+        Proof { statements: statements.collect(), ends_after: self.ends_after, late: self.late }
     }
 }

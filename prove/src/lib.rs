@@ -72,5 +72,5 @@ mod start;
 
 pub use equal::{Difference, Equivalence, Value, Verdict};
 pub use error::Error;
-pub use outcome::{Outcome, Proof, Run, Statement};
+pub use outcome::{Outcome, Proof, Run, Stage, Statement};
 pub use prover::Prover;

@@ -16,6 +16,24 @@ pub struct Proof {
     pub statements: Vec<Statement>,
     /// The clocks after which the assumptions allow no further one, if there are; what comes later is not searched.
     pub ends_after: Option<u32>,
+    /// What was at work when the time was over, if that is why a statement is open.
+    pub late: Option<Stage>,
+}
+
+/// A part of a proof, for which the time may be too short.
+///
+/// ```
+/// use tilewright_prove::Stage;
+/// assert_ne!(Stage::Conversion, Stage::Search);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// Yosys reads Verilog, and makes formulas or gates of it. Nothing has been searched.
+    Conversion,
+    /// Clock after clock is searched for a run, and induction is tried.
+    Search,
+    /// ABC searches an invariant.
+    Invariant,
 }
 
 /// An assertion or a cover, in all instances and lanes of its module.

@@ -11,6 +11,9 @@ use std::time::Instant;
 use tempfile::TempDir;
 use tilewright_gen::tools::{is_installed, run_watched};
 
+/// The file with all that a program prints.
+const PRINTED: &str = "output";
+
 /// A folder that is deleted when dropped.
 ///
 /// # Errors
@@ -34,7 +37,7 @@ pub fn run(
     if !is_installed(program) {
         return Ok(None);
     }
-    let path = folder.join("output");
+    let path = folder.join(PRINTED);
     let printed = File::create(&path).map_err(unwritable)?;
     let mut command = Command::new(program);
     apart(command.args(arguments).current_dir(folder));
@@ -54,6 +57,11 @@ pub fn run(
             Ok(Some((status.success(), String::from_utf8_lossy(&text).trim().to_owned())))
         }
     }
+}
+
+/// What a program printed in this folder that was ended before its end.
+pub fn printed(folder: &Path) -> String {
+    fs::read(folder.join(PRINTED)).map(|text| String::from_utf8_lossy(&text).into_owned()).unwrap_or_default()
 }
 
 /// Keeps Ctrl-C from a program: it is for this one alone, which then ends the other.

@@ -8,7 +8,7 @@ use crate::prepare::prepare;
 use crate::replay::Replayer;
 use crate::solver::{Halt, Patience};
 use crate::start::{Start, simulation};
-use crate::{Error, Proof};
+use crate::{Error, Proof, Stage};
 use std::time::{Duration, Instant};
 use tilewright_hdl::Design;
 
@@ -52,7 +52,7 @@ impl Prover {
         Prover { depth, ..self }
     }
 
-    /// The most seconds that the solver may take. What is open then is not settled.
+    /// The most seconds that a proof may take, with the conversion by Yosys. What is open then is not settled.
     ///
     /// ```
     /// assert_eq!(format!("{:?}", tilewright_prove::Prover::new().seconds(9)), "Prover { depth: 20, seconds: Some(9) }");
@@ -107,27 +107,38 @@ impl Prover {
         let prepared = prepare(design)?;
         let start = Start::of(design, &prepared.design)?;
         let mut known = Known::nothing(&prepared.stated);
+        let end = self.seconds.map(|seconds| begin + Duration::from_secs(seconds));
         let passes: &[Edges] = if design.top().clocks.len() > 1 { &[Edges::Any, Edges::Exact] } else { &[Edges::One] };
         for (index, &edges) in (1_u32..).zip(passes) {
-            // The time is the solver's; it has not begun.
-            let model = match model(&prepared, edges, &Patience { stop, end: None }) {
+            let model = match model(&prepared, edges, &Patience { stop, end }) {
                 Ok(model) => model,
                 Err(Halt::Failed(error)) => return Err(error),
-                Err(Halt::Late) => unreachable!("there is no end"),
+                Err(Halt::Late) => {
+                    known.stop_in_conversion();
+                    break;
+                }
             };
             let replayer = Replayer { edges, design, model: &model, start: &start, sim: simulation(design)? };
-            // Each pass has its share of the time.
-            let share = |seconds| Duration::from_secs(seconds) * index / passes.len() as u32;
-            let patience = Patience { stop, end: self.seconds.map(|seconds| begin + share(seconds)) };
+            // Each pass has its share of the time that is left.
+            let now = Instant::now();
+            let share = |end: Instant| now + end.saturating_duration_since(now) / (passes.len() as u32 + 1 - index);
+            let patience = Patience { stop, end: end.map(share) };
             let part = |done: f64| show((f64::from(index - 1) + done) / passes.len() as f64);
             let mut pass = Pass::new(&model, &known, begin);
             let run = pass.run(self.depth, &replayer, &prepared.stated, &patience, &part);
-            let run = run.and_then(|()| pass.find_invariant(&prepared, edges, &model, &patience));
-            match run {
-                Ok(()) | Err(Halt::Late) => pass.end(edges, &model, &mut known),
-                Err(Halt::Failed(error)) => return Err(error),
-            }
+            let mut find = || pass.find_invariant(&prepared, edges, &model, &patience);
+            let run = match run {
+                Ok(()) => find().map_err(|halt| (halt, Stage::Invariant)),
+                Err(halt) => Err((halt, Stage::Search)),
+            };
+            pass.end(edges, &model, &mut known);
+            known.late = match run {
+                Ok(()) => None,
+                Err((Halt::Late, stage)) => Some(stage),
+                Err((Halt::Failed(error), _)) => return Err(error),
+            };
             if known.is_settled() {
+                known.late = None;
                 break;
             }
         }

@@ -4,8 +4,8 @@ use crate::answer::bits;
 use crate::process::apart;
 use crate::{Error, model::Model};
 use std::io::{BufRead, BufReader, Write};
-use std::process::{Child, ChildStdin, Command, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::{Duration, Instant};
 use tilewright_gen::tools::Missing;
 
@@ -39,7 +39,8 @@ impl From<Error> for Halt {
 /// A solver that knows the formulas of a design.
 pub struct Solver<'a> {
     child: Child,
-    input: ChildStdin,
+    /// What it is told. It may be slow to read, and the time may be over before it has read all.
+    commands: Sender<String>,
     lines: Receiver<String>,
     patience: &'a Patience<'a>,
     model: &'a Model,
@@ -59,13 +60,15 @@ impl<'a> Solver<'a> {
             std::io::ErrorKind::NotFound => Error::Missing(Z3),
             _ => Error::tool(Z3.program, error.to_string()),
         })?;
-        let (input, output) = (child.stdin.take().expect("it is piped"), child.stdout.take().expect("it is piped"));
+        let (mut input, output) = (child.stdin.take().expect("it is piped"), child.stdout.take().expect("it is piped"));
+        let (commands, told) = channel::<String>();
+        std::thread::spawn(move || told.into_iter().all(|text| input.write_all(text.as_bytes()).is_ok()));
         let (sender, lines) = channel();
         std::thread::spawn(move || {
             let lines = BufReader::new(output).lines().map_while(Result::ok);
             lines.into_iter().all(|line| sender.send(line).is_ok())
         });
-        let mut solver = Solver { child, input, lines, patience, model };
+        let mut solver = Solver { child, commands, lines, patience, model };
         solver.tell("(set-option :produce-models true)\n(set-logic QF_BV)\n")?;
         solver.tell(&model.formulas.prelude)?;
         Ok(solver)
@@ -98,7 +101,7 @@ impl<'a> Solver<'a> {
 
     /// Gives commands that have no answer.
     pub fn tell(&mut self, commands: &str) -> Result<(), Halt> {
-        self.input.write_all(commands.as_bytes()).map_err(|error| Error::tool(Z3.program, error.to_string()).into())
+        self.commands.send(commands.to_owned()).map_err(|_| Error::tool(Z3.program, "it ended").into())
     }
 
     /// Whether all that is asserted can be true together, under these assumptions.
@@ -120,7 +123,6 @@ impl<'a> Solver<'a> {
 
     /// The next line of its output.
     fn line(&mut self) -> Result<String, Halt> {
-        self.input.flush().map_err(|error| Error::tool(Z3.program, error.to_string()))?;
         loop {
             if (self.patience.stop)() {
                 return Err(Error::Interrupted.into());

@@ -1,8 +1,9 @@
 //! What is found agrees with the simulator: resets, power-on values, memories, lanes, assumptions.
 
 use crate::harness::{design, proof, words};
+use tilewright_gen::tools::skipped_without;
 use tilewright_hdl::*;
-use tilewright_prove::Outcome;
+use tilewright_prove::{Outcome, Prover, Stage};
 use tilewright_sim::{EngineKind, Error, Simulation};
 
 block! {
@@ -33,6 +34,16 @@ fn assertions_are_proved_and_covers_are_reached_or_never() {
         ("it is overfull", "proved over 1"),
     ];
     assert_eq!(words(&proof), expected.map(|(message, word)| (message, word.to_owned())));
+}
+
+#[test]
+fn a_proof_without_time_for_its_formulas_has_all_statements_and_says_why_they_are_open() {
+    if skipped_without(&["yosys"]).is_some() {
+        return;
+    }
+    let proof = Prover::new().seconds(0).prove(&design(&Count { guarded: true })).unwrap();
+    assert_eq!(words(&proof).into_iter().map(|it| it.1).collect::<Vec<_>>(), ["holds for 0"; 3]);
+    assert_eq!(proof.late, Some(Stage::Conversion));
 }
 
 block! {

@@ -67,8 +67,21 @@ fn what_is_open_has_an_exit_code_of_its_own() {
     let line = "verilog counter --set limit=1000000 --equal-to hand.v -P LIMIT=999999 --depth 3 --seconds 2";
     let run = folder.run(line);
     // How many clocks, depends on the computer.
-    let said = "not settled: hand.v is equal to counter_limit1000000 in ";
+    let said = "not settled: ";
     assert!(run.code == Some(5) && run.stdout.starts_with(said), "{run:?}");
+}
+
+#[test]
+#[cfg(unix)]
+fn the_time_is_over_also_while_yosys_works_and_nothing_was_searched_then() {
+    use super::synth::{stub_path, with_programs};
+    let folder = with_programs(&[("yosys", "exec sleep 60")]);
+    std::fs::write(folder.path("hand.v"), COUNTER).unwrap();
+    let mut command = folder.command("verilog counter --equal-to hand.v --seconds 1");
+    let run = Run::of(command.env("PATH", stub_path(&folder)).output().unwrap());
+    let said = "not settled: the time was over while Yosys made a circuit of both modules, so nothing is known of hand.v \
+                and counter_limit5: give more --seconds, or both smaller parameters\n";
+    assert_eq!((run.code, run.stdout.as_str()), (Some(5), said), "{run:?}");
 }
 
 /// Each mistake in the file or the command line, and what the sentence says.

@@ -1,6 +1,10 @@
 //! `prove`.
 
+#[cfg(unix)]
+use super::synth::{stub_path, with_programs};
 use crate::cli::harness::Folder;
+#[cfg(unix)]
+use crate::cli::harness::Run;
 use tilewright_gen::tools::skipped_without;
 
 fn lacks_tools() -> bool {
@@ -43,6 +47,18 @@ fn what_is_open_has_an_exit_code_of_its_own() {
     }
     let run = Folder::new().run("prove fifo --depth 2");
     assert!(run.code == Some(5) && run.stdout.contains("not reached in 2 clocks"), "{run:?}");
+}
+
+#[test]
+#[cfg(unix)]
+fn the_time_is_over_also_while_yosys_works_and_the_sentence_says_so() {
+    let folder = with_programs(&[("yosys", "exec sleep 60")]);
+    let mut command = folder.command("prove fifo --seconds 1");
+    let run = Run::of(command.env("PATH", stub_path(&folder)).output().unwrap());
+    let said =
+        "the time was over while Yosys made formulas of the block: give more --seconds, or --set smaller parameters";
+    assert!(run.code == Some(5) && run.stdout.contains(said), "{run:?}");
+    assert!(run.stdout.contains("3  cover   not searched"), "{run:?}");
 }
 
 #[test]

@@ -111,6 +111,13 @@ pub fn with_programs(programs: &[(&str, &str)]) -> Folder {
     folder
 }
 
+/// The search path with those programs first.
+#[cfg(unix)]
+pub fn stub_path(folder: &Folder) -> std::ffi::OsString {
+    let own = std::env::var_os("PATH").unwrap_or_default();
+    std::env::join_paths(std::iter::once(folder.path("bin")).chain(std::env::split_paths(&own))).unwrap()
+}
+
 /// `tilewright synth counter` where no other programs are found.
 #[cfg(unix)]
 fn synth(folder: &Folder, options: &str) -> Command {

@@ -7,10 +7,10 @@ mod difference;
 mod miter;
 mod theirs;
 
-use crate::Error;
 use crate::prepare::prepare_for_equality;
 use crate::process::temporary;
 use crate::solver::{Halt, Patience};
+use crate::{Error, Stage};
 use circuit::{Circuit, State};
 use decide::{Decided, decide};
 pub use difference::{Difference, Value};
@@ -83,7 +83,9 @@ pub struct Equivalence {
 /// What was found of two modules.
 ///
 /// ```
-/// assert!(matches!(tilewright_prove::Verdict::Open { clocks: 50 }, tilewright_prove::Verdict::Open { .. }));
+/// use tilewright_prove::{Stage, Verdict};
+/// let open = Verdict::Open { clocks: 0, late: Some(Stage::Conversion) };
+/// assert!(!matches!(open, Verdict::Equal | Verdict::Differs(_)));
 /// ```
 #[derive(Debug, Clone)]
 pub enum Verdict {
@@ -95,6 +97,8 @@ pub enum Verdict {
     Open {
         /// They are equal in this number of clocks from the start.
         clocks: u32,
+        /// What was at work when the time was over, if it was too short.
+        late: Option<Stage>,
     },
 }
 
@@ -236,12 +240,13 @@ impl Equivalence {
         });
         match found {
             Ok((_, _, Decided::Equal)) => Ok(Verdict::Equal),
-            Ok((_, _, Decided::Open { clocks })) => Ok(Verdict::Open { clocks }),
+            Ok((_, _, Decided::Open { clocks, late })) => Ok(Verdict::Open { clocks, late }),
             Ok((theirs, both, Decided::Differs(inputs))) => {
                 let run = Difference::of(&prepared.design, both, inputs, theirs.module)?;
                 Ok(Verdict::Differs(Box::new(run)))
             }
-            Err(Halt::Late) => Ok(Verdict::Open { clocks: 0 }),
+            // ABC ends in time, so it was Yosys.
+            Err(Halt::Late) => Ok(Verdict::Open { clocks: 0, late: Some(Stage::Conversion) }),
             Err(Halt::Failed(error)) => Err(error),
         }
     }
