@@ -30,6 +30,8 @@ const WITHOUT_RESET: &str = "quiet.aig";
 const RUN: &str = "run.txt";
 /// The seconds in which a shorter run is searched.
 const SHORTENING: u64 = 3;
+/// How hard ABC tries to show that two signals are equal before it keeps both. Adders and shifters take many conflicts.
+const CONFLICTS: u32 = 10_000;
 /// The time that ABC has to end by itself.
 const GRACE: Duration = Duration::from_millis(500);
 
@@ -102,7 +104,7 @@ impl Abc<'_> {
 
     /// Tries to prove that they never differ.
     fn prove(&self, seconds: u64) -> Result<Said, Halt> {
-        self.run(ALL, &format!("&get; &scorr; &put; pdr -T {seconds}"), seconds)
+        self.run(ALL, &format!("scorr -C {CONFLICTS}; pdr -T {seconds}"), seconds)
     }
 
     /// Searches a shortest run.

@@ -190,7 +190,7 @@ impl Subject {
         let size = self.size;
         match self.family {
             Family::Pim => elaborate(&Pim::new(size)),
-            Family::Qt | Family::Flat => elaborate(&Qt { units: size, apart: self.family == Family::Flat }),
+            Family::Qt | Family::Flat => elaborate(&Qt::new(size, self.family == Family::Flat)),
             Family::Core => elaborate(&Core { processors: size }),
             Family::Simd => elaborate(&Simd { edge: size }),
             Family::Pxpl => elaborate(&Pxpl { edge: size }),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use tilewright_benches::RESET_CYCLES;
-use tilewright_benches::designs::Simd;
+use tilewright_benches::designs::{Pim, Qt, Simd};
 use tilewright_gen::tools::skipped_without;
 use tilewright_hdl::{Block, elaborate};
 use tilewright_prove::{Equivalence, Verdict};
@@ -46,4 +46,18 @@ fn check<B: Block>(block: &B, file: &str, parameters: &[(&str, i64)], mutant: (&
 fn a_processor_under_one_instruction() {
     let mutant = ("13: accumulator <= accumulator + plane", "13: accumulator <= accumulator - plane");
     check(&Simd { edge: 1 }, "simd.v", &[("EDGE", 1)], mutant);
+}
+
+#[test]
+#[ignore = "ten seconds of processor time; docs/proofs.md has the command"]
+fn a_quadtree_unit() {
+    let mutant = ("todo[1] || !todo[2]", "todo[1] || todo[2]");
+    check(&Qt { level: 2, ..Qt::new(1, true) }, "qt.v", &[("UNITS", 1), ("LEVEL", 2)], mutant);
+}
+
+#[test]
+#[ignore = "ten seconds of processor time; docs/proofs.md has the command"]
+fn a_chain_of_mergers() {
+    let mutant = ("takes = entry == 0 && next_page != PAGES", "takes = entry == 0");
+    check(&Pim { stages: 2, columns: 5, rows: 2 }, "pim.v", &[("STAGES", 2), ("COLUMNS", 5), ("ROWS", 2)], mutant);
 }

@@ -13,7 +13,7 @@ fn small() -> [Design; 7] {
     let pim = elaborate(&Pim { stages: 2, columns: 7, rows: 5 });
     let vc1 = elaborate(&Vc1Frames::new(Screen { width: 12, height: 8 }, 2).unwrap());
     let core = elaborate(&Core { processors: 2 });
-    let qt = elaborate(&Qt { units: 2, apart: false });
+    let qt = elaborate(&Qt::new(2, false));
     let regions = elaborate(&Regions::new(8).unwrap());
     let (simd, pxpl) = (elaborate(&Simd { edge: 3 }), elaborate(&Pxpl { edge: 8 }));
     [pim, qt, core, simd, pxpl, vc1, regions].map(|design| design.unwrap())

@@ -1,7 +1,9 @@
 // A chain of merging units with local frame buffers, written by hand: the function of the design `pim`.
 
 module pim #(
-    parameter STAGES = 16
+    parameter STAGES  = 16,
+    parameter COLUMNS = 160, // patches of 4 x 4 pixels in a row of the screen
+    parameter ROWS    = 120
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -19,7 +21,9 @@ module pim #(
             end
             pim_frame_buffer #(
                 .SEED(32'h9e3779b1 * (s + 1)),
-                .START_X((4 * (STAGES - 1 - s)) % 640)
+                .COLUMNS(COLUMNS),
+                .ROWS(ROWS),
+                .START_X((4 * (STAGES - 1 - s)) % (4 * COLUMNS))
             ) frame_buffer (
                 .clk(clk), .rst(rst), .pixel(right)
             );
@@ -65,24 +69,40 @@ endmodule
 
 module pim_frame_buffer #(
     parameter [31:0] SEED    = 1,
-    parameter [9:0]  START_X = 0
+    parameter        COLUMNS = 160,
+    parameter        ROWS    = 120,
+    parameter        START_X = 0
 ) (
     input  wire        clk,
     input  wire        rst,
     output wire [48:0] pixel
 );
-    // 160 x 120 patches of 4 x 4 pixels; entry 0 means no page. A page has 16 words of {rgb, z}.
-    localparam PATCHES = 19200, PAGES = 4800;
+    // Patches of 4 x 4 pixels; entry 0 means no page. A page has 16 words of {rgb, z}.
+    localparam PATCHES = COLUMNS * ROWS, PAGES = PATCHES / 4;
+    // The widths of a column, a row, a patch and an address of the image.
+    localparam CW = $clog2(COLUMNS), RW = $clog2(ROWS), PW = $clog2(PATCHES), AW = $clog2(16 * PAGES);
+    localparam [CW+1:0] LAST_X = 4 * COLUMNS - 1, BEGIN_X = START_X;
+    localparam [RW+1:0] LAST_Y = 4 * ROWS - 1;
+    localparam [PW-1:0] PATCHES_IN_ROW = COLUMNS;
+    localparam [CW-1:0] TOO_FAR = 2**CW - COLUMNS;
+    localparam [RW-1:0] TOO_LOW = 2**(RW-1);
     reg [12:0] patch_table [0:PATCHES - 1];
     reg [47:0] image [0:16 * PAGES - 1];
 
-    function [14:0] patch(input [7:0] column, input [6:0] row);
-        patch = 15'd160 * {8'b0, row} + {7'b0, column};
+    function [PW-1:0] patch(input [CW-1:0] column, input [RW-1:0] row);
+        patch = PATCHES_IN_ROW * {{(PW-RW){1'b0}}, row} + {{(PW-CW){1'b0}}, column};
+    endfunction
+    function [AW-1:0] address(input [12:0] page, input [3:0] offset);
+        reg [16:0] whole;
+        begin
+            whole = {page, offset};
+            address = whole[AW-1:0];
+        end
     endfunction
 
     // The scan.
-    reg  [9:0]  x;
-    reg  [8:0]  y;
+    reg  [CW+1:0] x;
+    reg  [RW+1:0] y;
     reg  [12:0] page;
     reg  [3:0]  offset;
     reg  [47:0] word;
@@ -90,16 +110,16 @@ module pim_frame_buffer #(
     assign pixel = {valid, word};
     always @(posedge clk) begin
         if (rst) begin
-            x <= START_X;
+            x <= BEGIN_X;
             y <= 0;
-        end else if (x != 639) x <= x + 1;
+        end else if (x != LAST_X) x <= x + 1;
         else begin
             x <= 0;
-            y <= y == 479 ? 9'd0 : y + 9'd1;
+            y <= y == LAST_Y ? 0 : y + 1;
         end
-        page <= patch_table[patch(x[9:2], y[8:2])];
+        page <= patch_table[patch(x[CW+1:2], y[RW+1:2])];
         offset <= {y[1:0], x[1:0]};
-        word <= image[{page, offset}];
+        word <= image[address(page, offset)];
         valid <= page != 0;
     end
 
@@ -107,10 +127,10 @@ module pim_frame_buffer #(
     reg  [31:0] random;
     wire [31:0] mixed1 = random ^ (random << 13);
     wire [31:0] mixed2 = mixed1 ^ (mixed1 >> 17);
-    wire [7:0]  column = random[7:0] < 160 ? random[7:0] : random[7:0] - 8'd96;
-    wire [6:0]  row = random[14:8] < 120 ? random[14:8] : random[14:8] - 7'd64;
+    wire [CW-1:0] column = random[CW-1:0] < COLUMNS ? random[CW-1:0] : random[CW-1:0] - TOO_FAR;
+    wire [RW-1:0] row = random[RW+7:8] < ROWS ? random[RW+7:8] : random[RW+7:8] - TOO_LOW;
     reg  [3:0]  pixel_number, drawn;
-    reg  [14:0] target, looked_up;
+    reg  [PW-1:0] target, looked_up;
     reg  [12:0] entry, next_page, page_before;
     reg  [47:0] drawn_word;
     reg         draws_before;
@@ -150,7 +170,7 @@ module pim_frame_buffer #(
         entry <= patch_table[target];
         drawn_word <= {random[23:0], random[31:8] ^ {random[7:0], 16'b0}};
         if (takes) patch_table[looked_up] <= next_page;
-        if (draws) image[{drawn_page, drawn}] <= drawn_word;
+        if (draws) image[address(drawn_page, drawn)] <= drawn_word;
     end
 
     integer i;

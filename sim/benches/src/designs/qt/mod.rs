@@ -17,6 +17,8 @@ block! {
         pub units: u32,
         /// Whether each is a module of its own, so that nothing is replicated.
         pub apart: bool,
+        /// A screen is `2^level` pixels wide, from 2.
+        pub level: u32,
     }
     in = BenchIn { rst: bit() };
     out = BenchOut { csum: bits(32) };
@@ -26,6 +28,7 @@ block! {
     /// A unit whose seed is fixed.
     struct Seeded {
         number: u32,
+        level: u32,
     }
     in = BenchIn { rst: bit() };
     out = UnitOut { hash: bits(32) };
@@ -33,23 +36,30 @@ block! {
 
 impl Seeded {
     fn build(&self, m: Module, i: BenchIn) -> UnitOut {
-        Unit.build(m, UnitIn { rst: i.rst, seed: lit(32, seed(self.number)) })
+        Unit { level: self.level }.build(m, UnitIn { rst: i.rst, seed: lit(32, seed(self.number)) })
     }
 }
 
 impl Qt {
+    /// Units for a screen of 1024 x 1024 pixels.
+    pub fn new(units: u32, apart: bool) -> Qt {
+        Qt { units, apart, level: 10 }
+    }
+
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
+        let level = self.level;
         let hashes: Vec<Signal> = match self.apart {
             false => {
-                let units = m.array("u_unit", self.units, &Unit, |_| UnitIn {
+                let units = m.array("u_unit", self.units, &Unit { level }, |_| UnitIn {
                     rst: i.rst,
                     seed: constants(bits(32).of(self.units), seed),
                 });
                 units.hash.to_vec()
             }
             true => {
-                let unit =
-                    |number| m.instance(&format!("u_unit{number}"), &Seeded { number }, BenchIn { rst: i.rst }).hash;
+                let unit = |number| {
+                    m.instance(&format!("u_unit{number}"), &Seeded { number, level }, BenchIn { rst: i.rst }).hash
+                };
                 (0..self.units).map(unit).collect()
             }
         };
