@@ -15,4 +15,4 @@ pub use dvi::{DviSender, DviSenderIn, DviSenderOut};
 pub use picture::{Colour, Picture, PictureIn};
 pub use screen::{Screen, ScreenIn, Shown};
 pub use test_picture::{TestPicture, TestPictureOnUlx3s};
-pub use top::{Device, TOPS, Top};
+pub use top::{TOPS, Top};

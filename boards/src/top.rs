@@ -6,17 +6,9 @@ use crate::test_picture::TestPictureOnUlx3s;
 use crate::ulx3s;
 use crate::vc1::Vc1OnUlx3s;
 use tilewright_blocks::VideoTiming;
+use tilewright_gen::tools::Device;
 use tilewright_gen::{Dialect, PinProblems, Pins, VerilogFile, constraints, verilog};
 use tilewright_hdl::{Design, Problems, elaborate};
-
-/// An FPGA in its package, as the open tools name it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Device {
-    /// A Lattice LFE5U-85F of speed grade 6 in a CABGA381, as on a ULX3S.
-    Ecp5Large,
-    /// A Lattice iCE40UP5K in an SG48, as on an iCEBreaker.
-    Ice40Up,
-}
 
 /// A machine on a board.
 #[derive(Debug, Clone, Copy)]
@@ -45,7 +37,7 @@ pub const TOPS: &[Top] = &[
         name: "test-picture",
         board: "ulx3s",
         about: "a chessboard with moving bars",
-        device: Device::Ecp5Large,
+        device: Device::LFE5U_85F,
         loader: ulx3s::LOADER,
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
@@ -55,7 +47,7 @@ pub const TOPS: &[Top] = &[
         name: "vc1",
         board: "ulx3s",
         about: "the VC-1 with six local frame buffers, which draws a turning star",
-        device: Device::Ecp5Large,
+        device: Device::LFE5U_85F,
         loader: ulx3s::LOADER,
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
@@ -65,7 +57,7 @@ pub const TOPS: &[Top] = &[
         name: "quadtree",
         board: "ulx3s",
         about: "the quadtree generator with 4 x 4 video processors, which draws a turning teapot",
-        device: Device::Ecp5Large,
+        device: Device::LFE5U_85F,
         loader: ulx3s::LOADER,
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
@@ -75,7 +67,7 @@ pub const TOPS: &[Top] = &[
         name: "quadtree",
         board: "icebreaker",
         about: "the quadtree generator with one video processor, which draws a turning cube",
-        device: Device::Ice40Up,
+        device: Device::UP5K,
         loader: icebreaker::LOADER,
         pins: icebreaker::PINS,
         dialect: Dialect::Pcf,

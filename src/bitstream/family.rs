@@ -1,12 +1,9 @@
 //! What the tools of a family of FPGAs are called, and what they take.
 
-use crate::synth::device;
-use tilewright_boards::Device;
+use tilewright_gen::tools::Target;
 
 /// The tools behind Yosys and nextpnr, and their files.
 pub struct Family {
-    /// As `synth` knows the FPGA.
-    pub device: device::Device,
     /// Yosys's models of the cells.
     pub library: &'static str,
     /// nextpnr's option for the constraints.
@@ -20,11 +17,10 @@ pub struct Family {
     pub ending: &'static str,
 }
 
-/// The family of an FPGA.
-pub fn family(device: Device) -> Family {
-    match device {
-        Device::Ecp5Large => Family {
-            device: device::Device::Ecp5Large,
+/// The family. No machine is there for one of the others.
+pub fn family(target: Target) -> Family {
+    match target {
+        Target::Ecp5 => Family {
             library: "+/ecp5/cells_sim.v +/ecp5/cells_bb.v",
             constraints: "--lpf",
             configuration: "--textcfg",
@@ -32,8 +28,7 @@ pub fn family(device: Device) -> Family {
             options: &["--compress"],
             ending: "bit",
         },
-        Device::Ice40Up => Family {
-            device: device::Device::Ice40Up,
+        Target::Ice40 => Family {
             library: "+/ice40/cells_sim.v",
             constraints: "--pcf",
             configuration: "--asc",
@@ -41,5 +36,6 @@ pub fn family(device: Device) -> Family {
             options: &[],
             ending: "bin",
         },
+        Target::Xilinx | Target::Gowin => unreachable!("no board has one"),
     }
 }

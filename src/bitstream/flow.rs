@@ -11,11 +11,12 @@ use serde::Serialize;
 use std::ops::{ControlFlow, Range};
 use tilewright_boards::Top;
 use tilewright_gen::VerilogFile;
-use tilewright_gen::tools::sources;
+use tilewright_gen::tools::{Device, sources};
 use tilewright_hdl::Design;
 
 /// What is made, and by which programs.
 pub struct Task {
+    pub device: Device,
     pub family: Family,
     pub programs: Programs,
     packer: Program,
@@ -64,10 +65,10 @@ impl Task {
     /// # Errors
     /// A program is not installed.
     pub fn find(top: &Top, seed: Option<u32>, netlist: bool) -> Result<Task, Failure> {
-        let family = family(top.device);
-        let programs = Programs::find(family.device)?;
+        let (device, family) = (top.device, family(top.device.target()));
+        let programs = Programs::find(device)?;
         let packer = packer(family.packer)?;
-        Ok(Task { family, programs, packer, seed, netlist })
+        Ok(Task { device, family, programs, packer, seed, netlist })
     }
 
     /// Makes the bitstream of a design from its files, of which the last one has the constraints.
@@ -118,7 +119,7 @@ impl Task {
 
     fn synthesize(&self, top: &str, files: &[VerilogFile], space: &Workspace) -> Result<(), Failure> {
         progress::phase("synthesizing");
-        let (sources, library, pass) = (sources(files).join(" "), self.family.library, self.family.device.pass());
+        let (sources, library, pass) = (sources(files).join(" "), self.family.library, self.device.pass());
         let netlist = if self.netlist { format!("write_verilog -noattr {NETLIST}\n") } else { String::new() };
         // A bit that is written as a constant alone takes no place in a memory. Yosys sees that only when the value that is
         // written while nothing is written does not matter to it.
@@ -138,11 +139,11 @@ impl Task {
     /// Runs nextpnr until it has ended or it is clear that the machine does not fit.
     fn place(&self, seed: u32, constraints: &str, space: &Workspace) -> Result<(Ended, Made), Failure> {
         progress::phase("placing");
-        let Family { device, constraints: option, configuration, .. } = &self.family;
+        let Family { constraints: option, configuration, .. } = &self.family;
         let number = seed.to_string();
         let own = ["--json", SYNTHESIZED, option, constraints, configuration, CONFIGURATION];
         let how = ["--report", TIMING, "--seed", &number, "--timing-allow-fail"];
-        let arguments = device.arguments().iter().copied().chain(own).chain(how).map(str::to_owned);
+        let arguments = self.device.options().iter().copied().chain(own).chain(how).map(str::to_owned);
         let mut rows = Vec::new();
         let nextpnr = &self.programs.nextpnr;
         let ended = nextpnr.run(space.path(), &arguments.collect::<Vec<_>>(), NEXTPNR_LOG, |log| {

@@ -36,7 +36,7 @@ impl<'a> Report<'a> {
             format: 1,
             machine: top.name,
             board: top.board,
-            part: task.family.device.part(),
+            part: task.device.part(),
             tools: [&programs.yosys.version, &programs.nextpnr.version],
             seed: made.seed,
             resources: &made.resources,

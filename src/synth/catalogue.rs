@@ -17,7 +17,12 @@ pub fn measure_all<'a>(from: Option<&Entry>, task: impl Fn() -> Task<'a>) -> Res
     let is_before = |entry: &&Entry| from.is_some_and(|from| from.name != entry.name);
     let all: Vec<&'static Entry> = entries().skip_while(is_before).collect();
     let [yosys, nextpnr] = [&first.programs.yosys, &first.programs.nextpnr].map(|it| &it.version);
-    terminal::print(&format!("{}, {yosys}, {nextpnr}, seed {}\n\n{}", first.device.part(), first.seed, head(&first)))?;
+    terminal::print(&format!(
+        "{}, {yosys}, {nextpnr}, seed {}\n\n{}",
+        first.device.chip().part(),
+        first.seed,
+        head(&first)
+    ))?;
     let progress = Progress::new();
     for (done, entry) in all.iter().enumerate() {
         progress.show(entry.name, done as f64 / all.len() as f64);

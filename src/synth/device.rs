@@ -1,6 +1,7 @@
-//! The FPGAs that can be asked for: how Yosys and nextpnr name them, and what is counted of each.
+//! The FPGAs that can be asked for, and what is counted of each.
 
 use clap::ValueEnum;
+use tilewright_gen::tools;
 
 /// A device.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -85,49 +86,19 @@ const GOWIN: &[Counted] = &[
 ];
 
 impl Device {
-    /// The maker's name, with package and speed grade where nextpnr is given them.
-    pub fn part(self) -> &'static str {
+    /// As the tools know it.
+    pub fn chip(self) -> tools::Device {
         match self {
-            Device::Ecp5Large => "LFE5U-85F, CABGA381, speed grade 6",
-            Device::Ecp5Small => "LFE5U-25F, CABGA381, speed grade 6",
-            Device::Ice40Up => "iCE40UP5K, SG48",
-            Device::Ice40Hx => "iCE40HX8K, CT256",
-            Device::Gowin => "GW2AR-LV18QN88C8/I7",
+            Device::Ecp5Large => tools::Device::LFE5U_85F,
+            Device::Ecp5Small => tools::Device::LFE5U_25F,
+            Device::Ice40Up => tools::Device::UP5K,
+            Device::Ice40Hx => tools::Device::HX8K,
+            Device::Gowin => tools::Device::GW2AR_18,
         }
     }
 
     pub fn name(self) -> String {
         self.to_possible_value().map_or_else(String::new, |it| it.get_name().to_owned())
-    }
-
-    /// The pass of Yosys. A block has no pads: its ports do not reach pins.
-    pub fn pass(self) -> &'static str {
-        match self {
-            Device::Ecp5Large | Device::Ecp5Small => "synth_ecp5 -abc9",
-            Device::Ice40Up => "synth_ice40 -abc9 -device u -dsp -spram",
-            Device::Ice40Hx => "synth_ice40 -abc9 -device hx",
-            Device::Gowin => "synth_gowin -noiopads",
-        }
-    }
-
-    /// The placer's name, without `yowasp-`.
-    pub fn placer(self) -> &'static str {
-        match self {
-            Device::Ecp5Large | Device::Ecp5Small => "nextpnr-ecp5",
-            Device::Ice40Up | Device::Ice40Hx => "nextpnr-ice40",
-            Device::Gowin => "nextpnr-himbaechel-gowin",
-        }
-    }
-
-    /// What tells nextpnr the device.
-    pub fn arguments(self) -> &'static [&'static str] {
-        match self {
-            Device::Ecp5Large => &["--85k", "--package", "CABGA381", "--speed", "6"],
-            Device::Ecp5Small => &["--25k", "--package", "CABGA381", "--speed", "6"],
-            Device::Ice40Up => &["--up5k", "--package", "sg48"],
-            Device::Ice40Hx => &["--hx8k", "--package", "ct256"],
-            Device::Gowin => &["--device", "GW2AR-LV18QN88C8/I7", "--vopt", "family=GW2A-18C"],
-        }
     }
 
     pub fn counted(self) -> &'static [Counted] {

@@ -138,7 +138,7 @@ impl Task<'_> {
     /// Runs Yosys; whether it was in time.
     fn synthesize(&self, top: &str, files: &[VerilogFile], space: &Workspace) -> Result<bool, Failure> {
         (self.phase)("synthesizing");
-        let (sources, pass) = (sources(files).join(" "), self.device.pass());
+        let (sources, pass) = (sources(files).join(" "), self.device.chip().pass());
         let script = format!("read_verilog {sources}\n{pass} -top {top}\nwrite_json {SYNTHESIZED}\nstat\n");
         space.write(SCRIPT, script.as_bytes())?;
         let arguments = ["-s", SCRIPT].map(str::to_owned);
@@ -155,7 +155,8 @@ impl Task<'_> {
         (self.phase)("placing");
         let (seed, aim) = (self.seed.to_string(), self.aim.to_string());
         let own = ["--json", NETLIST, "--report", TIMING, "--seed", &seed, "--freq", &aim, "--timing-allow-fail"];
-        let arguments: Vec<String> = self.device.arguments().iter().copied().chain(own).map(str::to_owned).collect();
+        let arguments: Vec<String> =
+            self.device.chip().options().iter().copied().chain(own).map(str::to_owned).collect();
         let mut rows = Vec::new();
         let ended = self.programs.nextpnr.run(space.0.path(), &arguments, NEXTPNR_LOG, |log| {
             if rows.is_empty() {

@@ -83,13 +83,13 @@ impl Synth {
     pub fn run(self) -> Result<Exit, Failure> {
         // Without a block there is `--all`.
         let Some(block) = &self.block else {
-            let programs = Programs::find(self.device)?;
+            let programs = Programs::find(self.device.chip())?;
             catalogue::measure_all(self.from, || Task { phase: |_| {}, ..self.task(&programs) })?;
             return Ok(Exit::Done);
         };
         self.output.as_deref().map_or(Ok(()), Folder::check)?;
         let (entry, values) = block.find()?;
-        self.one(entry, &values, &Programs::find(self.device)?)
+        self.one(entry, &values, &Programs::find(self.device.chip())?)
     }
 
     fn task<'a>(&self, programs: &'a Programs) -> Task<'a> {
@@ -126,7 +126,7 @@ impl Synth {
             parameters: values.iter().collect(),
             top: design.top().name.clone(),
             device: self.device.name(),
-            part: self.device.part(),
+            part: self.device.chip().part(),
             tools: [programs.yosys.version.clone(), programs.nextpnr.version.clone()],
             seed: self.seed,
             fits: lacking.is_empty(),

@@ -1,12 +1,11 @@
 //! Yosys and nextpnr, as the system has them or as their Python packages have them.
 
-use super::device::Device;
 use crate::shell::{Exit, Failure, interrupt};
 use std::fs::File;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use tilewright_gen::tools::{is_installed, run_watched};
+use tilewright_gen::tools::{Device, is_installed, run_watched};
 
 /// The two programs, as they are called.
 pub struct Programs {

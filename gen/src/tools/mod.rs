@@ -7,6 +7,7 @@
 //! so that no pipeline passes without its checks.
 
 mod binary;
+mod device;
 mod linters;
 mod model;
 mod placement;
@@ -16,9 +17,10 @@ mod synthesis;
 mod watched;
 
 pub use binary::verilated;
+pub use device::Device;
 pub use linters::{lint, lint_all, lint_quickly};
 pub use model::{Compiler, Model, Source};
-pub use placement::{Device, Frequency, Placed, place};
+pub use placement::{Frequency, Placed, place};
 pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
 pub use run::{is_installed, skipped, skipped_without, sources};
 pub use synthesis::{Target, cells};

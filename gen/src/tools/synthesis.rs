@@ -29,6 +29,8 @@ pub enum Target {
     Ecp5,
     /// Xilinx 7 series.
     Xilinx,
+    /// Gowin.
+    Gowin,
 }
 
 impl Target {
@@ -37,6 +39,7 @@ impl Target {
             Target::Ice40 => "synth_ice40",
             Target::Ecp5 => "synth_ecp5",
             Target::Xilinx => "synth_xilinx",
+            Target::Gowin => "synth_gowin",
         }
     }
 }
