@@ -52,7 +52,7 @@ pub struct Prove {
     /// Print the waves of the ports in the shown run as text
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
-    /// Write the waveform of the shown run, a VCD file; `-` is standard output
+    /// Write the waveform of the shown run, a VCD file, or an FST file if the name ends in .fst; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Print the results as JSON
@@ -121,9 +121,9 @@ impl Prove {
         let mut sim = sim.map_err(tilewright_sim::Error::from)?;
         let text = self.ascii.then(|| sim.record(ports(&sim)));
         if let Some(waveform) = &waveform {
-            let vcd = waveform.vcd()?;
+            let trace = waveform.trace()?;
             waveform.clear()?;
-            sim.trace(vcd)?;
+            sim.trace(trace)?;
         }
         // It ends where the assertion fails.
         match sim.replay(&run.recording) {

@@ -63,7 +63,7 @@ pub struct Render {
     golden: Option<PathBuf>,
     #[command(flatten)]
     engine: EngineArguments,
-    /// Write the waveform of the run to a VCD file (`-`: standard output). A whole frame takes about a gigabyte unless it is filtered
+    /// Write the waveform of the run to a VCD file (`-`: standard output), or to an FST file if the name ends in .fst. A whole frame takes about a gigabyte as VCD unless it is filtered
     #[arg(long, value_name = "FILE", help_heading = WAVEFORM)]
     vcd: Option<PathBuf>,
     #[command(flatten)]

@@ -68,10 +68,11 @@ impl TraceOptions {
         waveform: &Waveform,
         sim: &mut Simulation<I, O>,
     ) -> Result<Vec<u8>, Failure> {
-        let vcd = self.scope.iter().fold(waveform.vcd()?.times(self.times()), |vcd, pattern| vcd.only(pattern));
-        let header = sim.trace_header(&vcd)?;
+        let all = waveform.trace()?.times(self.times());
+        let trace = self.scope.iter().fold(all, |trace, pattern| trace.only(pattern));
+        let header = sim.trace_header(&trace)?;
         waveform.clear()?;
-        sim.trace(vcd)?;
+        sim.trace(trace)?;
         Ok(header)
     }
 }

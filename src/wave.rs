@@ -29,12 +29,14 @@ Examples:
   tilewright wave merging-unit --radix decimal
   tilewright wave merging-unit --engine both
   tilewright wave merging-unit -o mu.vcd
+  tilewright wave merging-unit -o mu.fst
   tilewright wave merging-unit -o mu.vcd --ascii
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
   tilewright wave merging-unit -o mu.svg
 
 Beside the waveform file a .gtkw file is written, unless -o names a pipe or a device. With it GTKWave opens the waveform with the signals selected.
-A .gtkw file that Tilewright did not write is kept. If -o ends in .svg, the file is a picture of the ports' waves, light or dark like the reader's screen.
+A .gtkw file that Tilewright did not write is kept. If -o ends in .fst, the file has the same waves in GTKWave's packed format.
+If -o ends in .svg, it is a picture of the ports' waves, light or dark like the reader's screen.
 
 --to ends the run at that time, except that text always shows the whole scenario. Without --radix, values in text and in pictures are hexadecimal,
 and signed values are decimal. Codes are always shown by name.
@@ -43,7 +45,7 @@ Exit code 1 means that an assertion of the block fails, or that with --engine bo
 pub struct Wave {
     #[command(flatten)]
     block: BlockArguments,
-    /// The waveform, a VCD file, or a picture if the name ends in .svg; `-` is standard output [default: show the wave as text]
+    /// The waveform: an FST file if the name ends in .fst, a picture if it ends in .svg, and else a VCD file; `-` is standard output [default: show the wave as text]
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(waveform))]
     output: Option<PathBuf>,
     /// Print the ports' waves as text, also with -o

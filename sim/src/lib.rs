@@ -191,8 +191,8 @@ pub use tilewright_hdl::{Bits, Bundle};
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
-    Answer, Batch, Checkpoint, CheckpointError, Condition, Covered, Error, IntoValue, Message, Messages, Monitor,
-    Pauses, Port, Probe, Process, Processes, Recorder, Simulation, StateDifference, Testbench, UnknownName,
+    Answer, Batch, Checkpoint, CheckpointError, Condition, Covered, Error, Fst, IntoValue, Message, Messages, Monitor,
+    Pauses, Port, Probe, Process, Processes, Recorder, Simulation, StateDifference, Testbench, Trace, UnknownName,
     Unremembered, Unrepeated, Vcd, Violation, Wave, WaveRadix, monitor,
 };
 #[doc(hidden)]

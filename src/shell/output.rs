@@ -9,7 +9,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tilewright_scenes::{Place, SceneError, WholeFile};
-use tilewright_sim::Vcd;
+use tilewright_sim::{Fst, Trace, Vcd};
 
 /// An output that is written in one step: a file is written whole or not at all.
 pub struct Output {
@@ -70,6 +70,8 @@ pub fn write_all(outputs: impl IntoIterator<Item = (Output, impl AsRef<[u8]>)>) 
 pub struct Waveform {
     name: String,
     file: File,
+    /// Whether it is an FST file, as its name says, and not a VCD file.
+    is_fst: bool,
     /// Whether its old content is removed.
     is_plain: bool,
     /// The path, if the file was created for this run.
@@ -86,7 +88,14 @@ impl Waveform {
         let name = shown(path);
         if is_standard_output(path) {
             let name = STANDARD_OUTPUT.to_owned();
-            return Ok(Waveform { name, file: taken()?, is_plain: false, made: None, is_standard: true });
+            return Ok(Waveform {
+                name,
+                file: taken()?,
+                is_fst: false,
+                is_plain: false,
+                made: None,
+                is_standard: true,
+            });
         }
         let place = Place::of(path)?;
         let (real, is_plain) = match &place {
@@ -102,15 +111,17 @@ impl Waveform {
             return Err(Failure::new(Exit::NoOutput, sentence));
         }
         let made = is_new.then(|| real.to_owned());
-        Ok(Waveform { name, file, is_plain, made, is_standard: false })
+        let is_fst = path.extension().is_some_and(|it| it.eq_ignore_ascii_case("fst"));
+        Ok(Waveform { name, file, is_fst, is_plain, made, is_standard: false })
     }
 
     /// The waveform that a simulation writes to this file.
     ///
     /// # Errors
     /// The system has no room for another open file.
-    pub fn vcd(&self) -> Result<Vcd, Failure> {
-        Ok(Vcd::into(&self.name, self.file.try_clone().map_err(|error| self.unwritable(&error))?))
+    pub fn trace(&self) -> Result<Trace, Failure> {
+        let file = self.file.try_clone().map_err(|error| self.unwritable(&error))?;
+        Ok(if self.is_fst { Fst::into(&self.name, file) } else { Vcd::into(&self.name, file) })
     }
 
     /// Removes the old content of the file.

@@ -11,6 +11,7 @@ mod documentation;
 mod engine;
 mod equal;
 mod explain;
+mod fst;
 pub mod harness;
 mod interruption;
 mod limits;

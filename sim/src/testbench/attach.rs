@@ -8,7 +8,9 @@ use crate::testbench::lookup::{self, Found};
 use crate::testbench::port::Port;
 use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
-use crate::testbench::trace::{ClockLine, Draw, Dump, Messages, Recorder, Source, Start, Vcd, Wave, Window, header};
+use crate::testbench::trace::{
+    ClockLine, Draw, Dump, Format, FstFile, Messages, Recorder, Source, Start, Trace, VcdFile, Wave, Window, header,
+};
 
 /// An item of a wave: a port, or anything with a name.
 ///
@@ -66,11 +68,12 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// # Errors
     ///
     /// The file cannot be created, a pattern matches nothing, or there is no such clock.
-    pub fn trace(&mut self, vcd: Vcd) -> Result<(), Error> {
-        self.circuit.trace(0, vcd)
+    pub fn trace(&mut self, trace: Trace) -> Result<(), Error> {
+        self.circuit.trace(0, trace)
     }
 
-    /// The header of the file that [`Simulation::trace`] would write, from `$version` to `$enddefinitions`.
+    /// The scopes and variables of the file that [`Simulation::trace`] would write, as the header of a VCD file, from
+    /// `$version` to `$enddefinitions`.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
@@ -83,8 +86,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// # Errors
     ///
     /// A pattern matches nothing.
-    pub fn trace_header(&self, vcd: &Vcd) -> Result<Vec<u8>, Error> {
-        Ok(header(&self.circuit.program, 0, &vcd.patterns)?.text)
+    pub fn trace_header(&self, trace: &Trace) -> Result<Vec<u8>, Error> {
+        Ok(header(&self.circuit.program, 0, &trace.patterns)?.text)
     }
 
     /// Records inputs and outputs at every instant from now on, and the start: the memory words that were poked before
@@ -161,9 +164,9 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 
 impl Running {
     /// Writes a waveform file of one run.
-    pub fn trace(&mut self, run: u32, vcd: Vcd) -> Result<(), Error> {
-        let header = header(&self.program, run, &vcd.patterns)?;
-        let window = match &vcd.window {
+    pub fn trace(&mut self, run: u32, trace: Trace) -> Result<(), Error> {
+        let header = header(&self.program, run, &trace.patterns)?;
+        let window = match &trace.window {
             None => 0..u64::MAX,
             Some(Window::Time(times)) => times.clone(),
             Some(Window::Cycles(clock, cycles)) => {
@@ -174,7 +177,18 @@ impl Running {
         let values: Vec<_> = header.variables.iter().map(|variable| variable.value).collect();
         self.engine.watch(&values);
         let rows = self.engine.take_in_rows(&values);
-        self.observe_by(Box::new(Dump::new(vcd, &self.program, header, window, rows)?));
+        let Trace { format, path, file, last, .. } = trace;
+        let program = &self.program;
+        match format {
+            Format::Vcd => {
+                let file = VcdFile::new(path, file, &header);
+                self.observe_by(Box::new(Dump::new(file, program, header, window, rows, last)?));
+            }
+            Format::Fst => {
+                let file = FstFile::new(path, file, &header);
+                self.observe_by(Box::new(Dump::new(file, program, header, window, rows, last)?));
+            }
+        }
         Ok(())
     }
 
@@ -255,6 +269,7 @@ impl Running {
 
 #[cfg(test)]
 mod tests {
+    use crate::Vcd;
     use tilewright_hdl::{Block, Module, Width, bits, bundle, def};
 
     use super::*;

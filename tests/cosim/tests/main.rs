@@ -4,6 +4,7 @@ mod blocks;
 mod border;
 mod campaign;
 mod edges;
+mod fst;
 mod matrix;
 mod pitfalls;
 mod recordings;

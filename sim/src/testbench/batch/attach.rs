@@ -5,7 +5,7 @@ use tilewright_hdl::Bundle;
 use super::Batch;
 use crate::testbench::attach::Probe;
 use crate::testbench::error::Error;
-use crate::testbench::trace::{Messages, Recorder, Vcd, Wave};
+use crate::testbench::trace::{Messages, Recorder, Trace, Wave};
 
 impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// Writes a waveform file of one run from now on; see [`Simulation::trace`](crate::Simulation::trace). Several
@@ -32,9 +32,9 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// There is no such run.
     #[track_caller]
-    pub fn trace(&mut self, run: u32, vcd: Vcd) -> Result<(), Error> {
+    pub fn trace(&mut self, run: u32, trace: Trace) -> Result<(), Error> {
         self.check(run);
-        self.all.circuit.trace(run, vcd)
+        self.all.circuit.trace(run, trace)
     }
 
     /// Records inputs and outputs of one run at every instant from now on.

@@ -5,39 +5,34 @@
 
 use vcd::IdCode;
 
+use super::sink::BLOCK;
 use super::times::Times;
 
 /// A variable's identifier with the end of its line, ready to be copied.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Id {
     pub code: IdCode,
+    /// Variables are numbered from 0 in the sequence of the header.
+    pub number: u32,
     /// The characters, the first in the lowest byte.
     word: u64,
     length: usize,
 }
 
 impl Id {
-    /// The longest identifier, so that a scalar's value or the space before it fits in the word too.
-    const LONGEST: usize = 6;
-
-    /// # Panics
-    ///
-    /// There are more than 94^6 variables.
-    pub fn new(code: IdCode) -> Id {
+    /// A number has at most five characters, so that a scalar's value or the space before it fits in the word too.
+    pub fn new(number: u32) -> Id {
+        let code = IdCode::from(number);
         let line = format!("{code}\n");
-        assert!(line.len() <= Id::LONGEST + 1, "`{code}` is the identifier of a variable beyond the 94^6th");
         let word = line.bytes().rev().fold(0, |word, byte| word << 8 | u64::from(byte));
-        Id { code, word, length: line.len() }
+        Id { code, number, word, length: line.len() }
     }
 }
-
-/// The number of variables in a block: as many as a number has bits.
-pub(super) const BLOCK: usize = 64;
 
 /// The precomputed line format of a variable of up to 32 bits that is not a string. Most variables are such, and each
 /// line is assembled without an unpredictable branch.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Short {
+pub(crate) struct Short {
     /// The characters after the digits.
     after: u64,
     after_length: u32,
@@ -270,13 +265,12 @@ mod tests {
     }
 
     /// A variable whose identifier has one to four characters.
-    fn variable() -> impl Strategy<Value = IdCode> {
-        prop_oneof![0..94_u64, 0..9_000_u64, 0..80_000_000_u64].prop_map(IdCode::from)
+    fn variable() -> impl Strategy<Value = Id> {
+        prop_oneof![0..94_u32, 0..9_000_u32, 0..80_000_000_u32].prop_map(Id::new)
     }
 
     /// Writes a line, as a short variable if `together`.
-    fn write(text: &mut Changes, variable: IdCode, new: &New, together: bool) {
-        let id = Id::new(variable);
+    fn write(text: &mut Changes, id: Id, new: &New, together: bool) {
         match new {
             New::Bit(high) if together => short(text, Short::new(id, true), u64::from(*high)),
             New::Bit(high) => text.bit(id, *high),
@@ -318,7 +312,7 @@ mod tests {
                     // An unchanged time is not written again.
                     text.at(time);
                     write(&mut text, *variable, new, *together);
-                    commands.push(expected(*variable, new));
+                    commands.push(expected(variable.code, new));
                 }
                 time += later;
             }
@@ -333,7 +327,7 @@ mod tests {
         text.command("$dumpvars");
         text.at(u64::MAX);
         for limbs in [&[0, 0][..], &[1, 0], &[0, 1], &[u64::MAX]] {
-            text.bits(Id::new(IdCode::FIRST), limbs);
+            text.bits(Id::new(0), limbs);
         }
         let (zeros, ones) = ("0".repeat(64), "1".repeat(64));
         let expected = format!("$dumpvars\n#18446744073709551615\nb0 !\nb1 !\nb1{zeros} !\nb{ones} !\n");

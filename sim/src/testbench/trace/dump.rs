@@ -3,43 +3,35 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
-use super::changes::Changes;
 use super::rows::Rows;
 use super::shown::Shown;
-use super::step_file::StepFile;
-use super::vcd::Vcd;
+use super::sink::Sink;
 use super::vcd_header::{Header, Variable, VariableKind};
 use super::{Observer, View};
 use crate::engine::Done;
 use crate::engine::program::{Program, Triggers};
 use crate::testbench::error::Error;
 
-/// The amount collected before it goes to the file, always in whole time steps. So the file ends with a whole step,
-/// unless the run is killed during a write.
-const CHUNK: usize = 1 << 18;
-
 /// No edge.
 const NOTHING: Done = Done { edges: 0, changed: Triggers::NONE };
 
 /// Writes a waveform file.
-pub(crate) struct Dump {
-    file: StepFile,
+pub(crate) struct Dump<S: Sink> {
+    to: S,
     header: Header,
     window: Range<u64>,
     /// The values of the last step: of the file, or of the flight recorder.
     shown: Shown,
     /// Takes many steps at once, if the engine supports it.
-    rows: Option<Rows>,
+    rows: Option<Rows<S>>,
     /// Whether the file has a step.
     begun: bool,
     /// The resets as the file shows them.
     resets: Vec<bool>,
-    /// The end time of the text.
+    /// The time of the last change in the file.
     time: u64,
     /// When clocks return to their first level in a step, and their indices; kept to avoid an allocation.
     backs: Vec<(u64, usize)>,
-    /// The text that has not gone to the file yet.
-    text: Changes,
     flight: Option<Flight>,
 }
 
@@ -60,21 +52,22 @@ struct Step {
     resets: Vec<bool>,
 }
 
-impl Dump {
-    /// Creates the file; for a flight recorder, only prepares it. `rows` is the engine's index for the values of all
-    /// variables.
+impl<S: Sink> Dump<S> {
+    /// Creates the file; for a flight recorder that keeps the `last` steps, only prepares it. `rows` is the engine's
+    /// index for the values of all variables.
     pub fn new(
-        vcd: Vcd,
+        to: S,
         program: &Program,
         header: Header,
         window: Range<u64>,
         rows: Option<usize>,
-    ) -> Result<Dump, Error> {
+        last: Option<usize>,
+    ) -> Result<Dump<S>, Error> {
         let lanes: Vec<_> = header.variables.iter().map(|variable| (variable.value, variable.lane)).collect();
         let shown = Shown::new(program, &lanes);
         let mut dump = Dump {
-            file: StepFile::new(vcd.path, vcd.file),
-            rows: rows.filter(|_| vcd.last.is_none()).map(|rows| Rows::new(rows, program, &shown, &header.variables)),
+            to,
+            rows: rows.filter(|_| last.is_none()).map(|rows| Rows::new(rows, program, &shown, &header.variables)),
             shown,
             header,
             window,
@@ -82,33 +75,13 @@ impl Dump {
             resets: Vec::new(),
             time: 0,
             backs: Vec::new(),
-            text: Changes::default(),
-            flight: vcd.last.map(|capacity| Flight { capacity, steps: VecDeque::new() }),
+            flight: last.map(|capacity| Flight { capacity, steps: VecDeque::new() }),
         };
         if dump.flight.is_none() {
-            dump.open();
+            dump.to.open();
         }
-        dump.file.report()?;
+        dump.to.report()?;
         Ok(dump)
-    }
-
-    fn open(&mut self) {
-        self.file.create();
-        self.file.append(&self.header.text);
-    }
-
-    /// Hands the collected text to the system.
-    fn flush(&mut self) {
-        self.file.append(self.text.bytes());
-        self.text.clear();
-    }
-
-    /// Flushes the collected text if it is long.
-    fn flush_much(&mut self) {
-        if self.text.bytes().len() >= CHUNK {
-            let file = &mut self.file;
-            self.text.exchange(|steps, length| file.hand_over(steps, length));
-        }
     }
 
     /// Writes a time step: the values shown since its begin, and the clocks that return within it.
@@ -119,36 +92,36 @@ impl Dump {
         if self.begun {
             self.changes(at, resets);
         } else {
-            self.text.at(at);
-            self.text.command("$dumpvars");
+            self.to.at(at);
+            self.to.first();
             self.shown.mark_all();
             self.changes(at, resets);
-            self.text.command("$end");
+            self.to.first_ends();
             self.begun = true;
         }
         self.time = at;
         self.backs(at, until, resets);
-        self.flush_much();
+        self.to.flush_much();
     }
 
     /// Writes the changes since the last step.
     fn changes(&mut self, at: u64, resets: &[bool]) {
-        let Dump { text, header, shown, .. } = self;
+        let Dump { to, header, shown, .. } = self;
         shown.visit_changed(|number, limbs| {
-            text.at(at);
-            change(text, &header.variables[number], limbs);
+            to.at(at);
+            change(to, &header.variables[number], limbs);
         });
         for (index, clock) in header.clocks.iter().enumerate() {
             let past_edge = clock.is_past_edge(at);
             if let Some(id) = clock.id.filter(|_| !self.begun || past_edge != clock.is_past_edge(self.time)) {
-                text.at(at);
-                text.bit(id, clock.level(past_edge));
+                to.at(at);
+                to.bit(id, clock.level(past_edge));
             }
             let before = self.resets.get(index).copied();
             let reset = resets[index] || before == Some(true) && clock.releases_later(at);
             if let Some(id) = clock.reset_id.filter(|_| before != Some(reset)) {
-                text.at(at);
-                text.bit(id, clock.reset_level(reset));
+                to.at(at);
+                to.bit(id, clock.reset_level(reset));
             }
             match self.resets.get_mut(index) {
                 Some(shown) => *shown = reset,
@@ -159,7 +132,7 @@ impl Dump {
 
     /// Writes the clocks that return to their first level before `until`, and the releases that waited for that.
     fn backs(&mut self, since: u64, until: u64, resets: &[bool]) {
-        let Dump { text, header, time, backs, .. } = self;
+        let Dump { to, header, time, backs, .. } = self;
         let returning = header.clocks.iter().enumerate();
         let returning = returning.filter_map(|(index, clock)| Some((clock.back(since)?, index)));
         backs.clear();
@@ -168,10 +141,10 @@ impl Dump {
         backs.sort_by_key(|back| back.0);
         for &(back, index) in &*backs {
             let clock = &header.clocks[index];
-            text.at(back);
-            clock.id.into_iter().for_each(|id| text.bit(id, clock.level(false)));
+            to.at(back);
+            clock.id.into_iter().for_each(|id| to.bit(id, clock.level(false)));
             if std::mem::replace(&mut self.resets[index], resets[index]) != resets[index] {
-                clock.reset_id.into_iter().for_each(|id| text.bit(id, clock.reset_level(resets[index])));
+                clock.reset_id.into_iter().for_each(|id| to.bit(id, clock.reset_level(resets[index])));
             }
             *time = back;
         }
@@ -180,7 +153,7 @@ impl Dump {
     /// Writes the steps of the flight recorder; from now on, every step is written.
     fn land(&mut self) {
         let Some(flight) = self.flight.take() else { return };
-        self.open();
+        self.to.open();
         for step in flight.steps {
             self.shown.go_to(&step.limbs);
             self.step(step.since, step.until, &step.resets);
@@ -203,20 +176,20 @@ impl Flight {
 }
 
 /// Writes a variable's new value.
-pub(super) fn change(text: &mut Changes, variable: &Variable, limbs: &[u64]) {
+pub(super) fn change(to: &mut impl Sink, variable: &Variable, limbs: &[u64]) {
     match &variable.kind {
-        VariableKind::Bit => text.bit(variable.id, limbs[0] != 0),
-        VariableKind::Bits => text.bits(variable.id, limbs),
+        VariableKind::Bit => to.bit(variable.id, limbs[0] != 0),
+        VariableKind::Bits => to.bits(variable.id, limbs),
         VariableKind::Code(names) => match names.name(limbs[0]) {
-            Some(name) => text.string(variable.id, name),
-            None => text.string(variable.id, &format!("code_{}", limbs[0])),
+            Some(name) => to.string(variable.id, name),
+            None => to.string(variable.id, &format!("code_{}", limbs[0])),
         },
     }
 }
 
-impl Observer for Dump {
+impl<S: Sink> Observer for Dump<S> {
     fn sample(&mut self, view: &mut View) -> Result<(), Error> {
-        self.file.report()?;
+        self.to.report()?;
         let (since, until) = (view.since.max(self.window.start), view.until.min(self.window.end));
         if since < until {
             if let Some(rows) = &mut self.rows {
@@ -232,8 +205,8 @@ impl Observer for Dump {
     }
 
     fn rows(&mut self, view: &mut View, count: u64) -> Result<Done, Error> {
-        self.file.report()?;
-        let Dump { rows: Some(rows), header, shown, text, .. } = self else { return Ok(NOTHING) };
+        self.to.report()?;
+        let Dump { rows: Some(rows), header, shown, to, .. } = self else { return Ok(NOTHING) };
         // A step unlike the previous ones is left to `sample`.
         let is_alike = self.begun && self.resets == view.resets && view.since > self.time.max(self.window.start);
         if !is_alike {
@@ -241,37 +214,37 @@ impl Observer for Dump {
         }
         let period = view.until - view.since;
         let count = count.min(self.window.end.saturating_sub(view.since) / period);
-        let done = rows.take(view, count, shown, header, text);
+        let done = rows.take(view, count, shown, header, to);
         if done.edges > 0 {
             let last = view.since + (done.edges - 1) * period;
             self.time = header.clocks[0].back(last).unwrap_or(last);
         }
-        self.flush_much();
+        self.to.flush_much();
         Ok(done)
     }
 
     fn failed(&mut self) {
         self.land();
-        self.flush();
+        self.to.flush();
     }
 
     fn finish(&mut self, view: &mut View) -> Result<(), Error> {
         self.sample(view)?;
         let end = view.until.min(self.window.end);
         if self.begun && self.time < end {
-            self.text.at(end);
+            self.to.at(end);
         }
-        self.flush();
-        self.file.report()
+        self.to.close();
+        self.to.report()
     }
 }
 
 /// A run that ends without [`Simulation::finish`](crate::Simulation::finish), for example by a panic, still leaves
 /// its waves.
-impl Drop for Dump {
+impl<S: Sink> Drop for Dump<S> {
     fn drop(&mut self) {
-        self.flush();
-        if let Err(error) = self.file.report() {
+        self.to.close();
+        if let Err(error) = self.to.report() {
             eprintln!("{error}");
         }
     }

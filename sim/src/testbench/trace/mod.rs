@@ -2,33 +2,38 @@
 
 mod changes;
 mod dump;
+mod fst;
 pub(crate) mod glob;
 mod messages;
 mod radix;
 mod recording;
 mod rows;
 mod shown;
+mod sink;
 mod start;
 mod step_file;
 mod times;
 mod vcd;
 mod vcd_header;
 mod wave;
+mod waveform;
 
 use crate::engine::program::{Program, Triggers};
 use crate::engine::{Done, Engine};
 use crate::testbench::error::Error;
 
 pub(crate) use dump::Dump;
+pub(crate) use fst::FstFile;
 pub use messages::{Message, Messages};
 pub use radix::WaveRadix;
 pub use recording::Recorder;
 pub(crate) use start::{Poked, Start};
-pub use vcd::Vcd;
-pub(crate) use vcd::Window;
+pub(crate) use vcd::VcdFile;
 pub(crate) use vcd_header::header;
 pub use wave::Wave;
 pub(crate) use wave::{ClockLine, Draw, Source};
+pub(crate) use waveform::{Format, Window};
+pub use waveform::{Fst, Trace, Vcd};
 
 /// The view of an observer: the circuit settled before an edge.
 pub(crate) struct View<'a> {

@@ -4,20 +4,20 @@
 use std::cell::Cell;
 
 use super::View;
-use super::changes::{BLOCK, Changes, Short};
 use super::dump::change;
 use super::shown::Shown;
+use super::sink::{BLOCK, Sink};
 use super::vcd_header::{Header, Variable, VariableKind};
 use crate::engine::program::Program;
 use crate::engine::{Done, LINE};
 
 /// The layout of rows, which have the limbs of one variable after another.
-pub(super) struct Rows {
+pub(super) struct Rows<S: Sink> {
     /// The engine's index for them.
     index: usize,
     /// The number of limbs of a row.
     length: usize,
-    blocks: Vec<Block>,
+    blocks: Vec<Block<S::Short>>,
     /// For each variable its first limb, and the end of the last one.
     starts: Vec<usize>,
     /// The last row.
@@ -29,7 +29,7 @@ pub(super) struct Rows {
 }
 
 /// The format of some limbs of a row.
-struct Block {
+struct Block<Short> {
     /// For limbs that are variables of their own.
     shorts: [Short; BLOCK],
     /// The exceptions, one bit each: their variables have more than 32 bits or are strings.
@@ -37,12 +37,12 @@ struct Block {
     variables: [usize; BLOCK],
 }
 
-impl Rows {
+impl<S: Sink> Rows<S> {
     /// The rows with this engine index.
-    pub fn new(index: usize, program: &Program, shown: &Shown, variables: &[Variable]) -> Rows {
+    pub fn new(index: usize, program: &Program, shown: &Shown, variables: &[Variable]) -> Rows<S> {
         let (mut blocks, mut starts, mut end) = (Vec::new(), vec![0], 0);
         for ((number, variable), limbs) in variables.iter().enumerate().zip(shown.limbs_of_variables()) {
-            let short = Short::new(variable.id, matches!(variable.kind, VariableKind::Bit));
+            let short = S::short(variable);
             let is_other = program.value(variable.value).width > 32 || matches!(variable.kind, VariableKind::Code(_));
             for limb in end..end + limbs {
                 if limb % BLOCK == 0 {
@@ -67,7 +67,7 @@ impl Rows {
     }
 
     /// Takes up to `count` steps of the only clock and writes them; each begins with an edge.
-    pub fn take(&mut self, view: &mut View, count: u64, shown: &Shown, header: &Header, text: &mut Changes) -> Done {
+    pub fn take(&mut self, view: &mut View, count: u64, shown: &Shown, header: &Header, to: &mut S) -> Done {
         let none = Done { edges: 0, changed: view.changed };
         if count == 0 {
             return none;
@@ -80,14 +80,14 @@ impl Rows {
         let back = clock.back(view.until).map(|back| back - view.until);
         let mut time = view.since;
         for row in rows.chunks_exact(self.length) {
-            self.row(row, time, header, text);
+            self.row(row, time, header, to);
             if let Some(back) = back {
                 if let Some(id) = clock.id {
-                    text.at(time);
-                    text.bit(id, clock.level(true));
+                    to.at(time);
+                    to.bit(id, clock.level(true));
                 }
-                text.at(time + back);
-                clock.id.into_iter().for_each(|id| text.bit(id, clock.level(false)));
+                to.at(time + back);
+                clock.id.into_iter().for_each(|id| to.bit(id, clock.level(false)));
             }
             time += view.until - view.since;
         }
@@ -95,7 +95,7 @@ impl Rows {
     }
 
     /// Writes the values that differ from the previous row.
-    fn row(&mut self, row: &[Cell<u64>], time: u64, header: &Header, text: &mut Changes) {
+    fn row(&mut self, row: &[Cell<u64>], time: u64, header: &Header, to: &mut S) {
         let Rows { blocks, starts, last, changed, .. } = self;
         for ((row, last), changed) in row.chunks(BLOCK).zip(&mut *last).zip(&mut *changed) {
             *changed = replace(row, last);
@@ -105,20 +105,20 @@ impl Rows {
             if changed == 0 {
                 continue;
             }
-            text.at(time);
+            to.at(time);
             let mut rest = changed;
             while rest & block.others != 0 {
                 let place = (rest & block.others).trailing_zeros();
-                text.shorts(rest & ((1 << place) - 1), &block.shorts, limbs);
+                to.shorts(rest & ((1 << place) - 1), &block.shorts, limbs);
                 rest &= (u64::MAX - 1) << place;
                 let variable = block.variables[place as usize];
                 // A variable of several limbs is written with the first of them that differs.
                 if written.replace(variable) != Some(variable) {
                     let limbs = &last.as_flattened()[starts[variable]..starts[variable + 1]];
-                    change(text, &header.variables[variable], limbs);
+                    change(to, &header.variables[variable], limbs);
                 }
             }
-            text.shorts(rest, &block.shorts, limbs);
+            to.shorts(rest, &block.shorts, limbs);
         }
     }
 }

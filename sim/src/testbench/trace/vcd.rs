@@ -1,155 +1,92 @@
 //! Waveform files in the Value Change Dump format of IEEE 1364-2001, section 18.
-//!
-//! Scopes and names are those of the Verilog: the top module, its instances, and for an array the scopes `u_cell[3]`
-//! with the instance `lane` in each. A module's own lanes are `NAME[3]`, or `NAME[1][2]` in a grid. A state machine's
-//! register has a `string` twin, `NAME_state`. Times are those of the clocks, in picoseconds; values that a testbench
-//! sets after an edge appear from that edge on.
 
 use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
-/// The contents of a waveform file. Attach it with [`Simulation::trace`](crate::Simulation::trace).
-///
-/// ```
-/// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
-/// let mut sim = Simulation::of(&Counter)?;
-/// # let folder = tempfile::tempdir().unwrap();
-/// # let path = folder.path().join("counter.vcd");
-/// sim.trace(Vcd::to(&path).only("count").cycles("clk", 100..110))?;
-/// sim.set(sim.i.enable, 1);
-/// sim.run(150);
-/// sim.finish()?;
-/// let text = std::fs::read_to_string(&path).unwrap();
-/// assert!(text.contains("#1000000") && !text.contains("#1200000"));
-/// # Ok::<(), tilewright_sim::Error>(())
-/// ```
-#[derive(Debug, Clone)]
-pub struct Vcd {
-    pub(crate) path: PathBuf,
-    /// A file that is open already.
-    pub(crate) file: Option<Arc<File>>,
-    pub(crate) patterns: Vec<String>,
-    pub(crate) window: Option<Window>,
-    pub(crate) last: Option<usize>,
+use super::changes::{Changes, Id, Short};
+use super::sink::{BLOCK, Sink};
+use super::step_file::StepFile;
+use super::vcd_header::{Header, Variable, VariableKind};
+use crate::testbench::error::Error;
+
+/// The amount collected before it goes to the file, always in whole time steps. So the file ends with a whole step,
+/// unless the run is killed during a write.
+const CHUNK: usize = 1 << 18;
+
+/// A file in this format.
+pub(crate) struct VcdFile {
+    file: StepFile,
+    /// From `$version` to `$enddefinitions`.
+    header: Vec<u8>,
+    /// The text that has not gone to the file yet.
+    text: Changes,
 }
 
-/// The part of a run that is written.
-#[derive(Debug, Clone)]
-pub(crate) enum Window {
-    Time(std::ops::Range<u64>),
-    Cycles(String, std::ops::Range<u64>),
+impl VcdFile {
+    /// A file with this name, which is not created yet unless it is given.
+    pub fn new(path: PathBuf, given: Option<Arc<File>>, header: &Header) -> VcdFile {
+        VcdFile { file: StepFile::new(path, given), header: header.text.clone(), text: Changes::default() }
+    }
 }
 
-impl Vcd {
-    /// Everything, for the whole run, into this file.
-    ///
-    /// ```
-    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
-    /// let mut sim = Simulation::of(&Counter)?;
-    /// # let folder = tempfile::tempdir().unwrap();
-    /// # let path = folder.path().join("counter.vcd");
-    /// sim.trace(Vcd::to(&path))?;
-    /// sim.step();
-    /// sim.finish()?;
-    /// assert!(std::fs::read_to_string(&path).unwrap().contains("late")); // includes registers inside
-    /// # Ok::<(), tilewright_sim::Error>(())
-    /// ```
-    pub fn to(path: impl AsRef<Path>) -> Vcd {
-        Vcd { path: path.as_ref().to_path_buf(), file: None, patterns: Vec::new(), window: None, last: None }
+impl Sink for VcdFile {
+    type Short = Short;
+
+    fn short(variable: &Variable) -> Short {
+        Short::new(variable.id, matches!(variable.kind, VariableKind::Bit))
     }
 
-    /// Like [`Vcd::to`], for a file that is open for writing, from its present position. Errors call it by this name.
-    ///
-    /// ```
-    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
-    /// let mut sim = Simulation::of(&Counter)?;
-    /// # let folder = tempfile::tempdir().unwrap();
-    /// # let path = folder.path().join("counter.vcd");
-    /// # let file = std::fs::File::create(&path).unwrap();
-    /// sim.trace(Vcd::into("the counter's waves", file))?;
-    /// sim.step();
-    /// sim.finish()?;
-    /// assert!(std::fs::metadata(&path).unwrap().len() > 0);
-    /// # Ok::<(), tilewright_sim::Error>(())
-    /// ```
-    pub fn into(name: impl AsRef<Path>, file: File) -> Vcd {
-        Vcd { file: Some(Arc::new(file)), ..Vcd::to(name) }
+    fn open(&mut self) {
+        self.file.create();
+        self.file.append(&self.header);
     }
 
-    /// Only the signals whose hierarchical name matches this pattern, or another given one. `*` stands for any
-    /// characters but a dot, `**` for any characters, as in `u_cell[*].value` or `u_cell[3].**`.
-    ///
-    /// ```
-    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
-    /// let mut sim = Simulation::of(&Counter)?;
-    /// let vcd = Vcd::to("counter.vcd").only("c*").only("square");
-    /// let header = String::from_utf8(sim.trace_header(&vcd)?).unwrap();
-    /// assert!(header.contains(" count ") && header.contains(" square ") && !header.contains(" late "));
-    /// # Ok::<(), tilewright_sim::Error>(())
-    /// ```
-    pub fn only(mut self, pattern: &str) -> Vcd {
-        self.patterns.push(pattern.to_string());
-        self
+    #[inline]
+    fn at(&mut self, time: u64) {
+        self.text.at(time);
     }
 
-    /// Only the changes in this range of picoseconds; the file begins with the values at its start.
-    ///
-    /// ```
-    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
-    /// let mut sim = Simulation::of(&Counter)?;
-    /// # let folder = tempfile::tempdir().unwrap();
-    /// # let path = folder.path().join("counter.vcd");
-    /// sim.trace(Vcd::to(&path).only("count").times(30_000..50_000))?;
-    /// sim.set(sim.i.enable, 1);
-    /// sim.run(10);
-    /// sim.finish()?;
-    /// let text = std::fs::read_to_string(&path).unwrap();
-    /// assert!(text.contains("#40000") && !text.contains("#60000"));
-    /// # Ok::<(), tilewright_sim::Error>(())
-    /// ```
-    pub fn times(mut self, picoseconds: std::ops::Range<u64>) -> Vcd {
-        self.window = Some(Window::Time(picoseconds));
-        self
+    fn first(&mut self) {
+        self.text.command("$dumpvars");
     }
 
-    /// Only the changes in these cycles of a clock, the first being 0.
-    ///
-    /// ```
-    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
-    /// let mut sim = Simulation::of(&Counter)?;
-    /// # let folder = tempfile::tempdir().unwrap();
-    /// # let path = folder.path().join("counter.vcd");
-    /// sim.trace(Vcd::to(&path).only("count").cycles("clk", 3..5))?;
-    /// sim.set(sim.i.enable, 1);
-    /// sim.run(10);
-    /// sim.finish()?;
-    /// let text = std::fs::read_to_string(&path).unwrap();
-    /// assert!(text.contains("#40000") && !text.contains("#60000"));
-    /// # Ok::<(), tilewright_sim::Error>(())
-    /// ```
-    pub fn cycles(mut self, clock: impl AsRef<str>, cycles: std::ops::Range<u64>) -> Vcd {
-        self.window = Some(Window::Cycles(clock.as_ref().to_string(), cycles));
-        self
+    fn first_ends(&mut self) {
+        self.text.command("$end");
     }
 
-    /// A flight recorder: keeps the last `n` instants in memory, and writes the file only if an assertion fails.
-    ///
-    /// ```
-    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
-    /// let mut sim = Simulation::of(&Counter)?;
-    /// # let folder = tempfile::tempdir().unwrap();
-    /// # let path = folder.path().join("counter.vcd");
-    /// sim.trace(Vcd::to(&path).only("count").last(20))?;
-    /// sim.set(sim.i.enable, 1);
-    /// sim.run(150);
-    /// assert!(!path.exists());
-    /// assert!(sim.try_run(100).is_err()); // now it is written: the last 20 instants before the failure
-    /// assert!(std::fs::read_to_string(&path).unwrap().contains("#2000000"));
-    /// # Ok::<(), tilewright_sim::Error>(())
-    /// ```
-    pub fn last(mut self, n: usize) -> Vcd {
-        self.last = Some(n.max(1));
-        self
+    #[inline]
+    fn bit(&mut self, id: Id, high: bool) {
+        self.text.bit(id, high);
+    }
+
+    #[inline]
+    fn bits(&mut self, id: Id, limbs: &[u64]) {
+        self.text.bits(id, limbs);
+    }
+
+    fn string(&mut self, id: Id, text: &str) {
+        self.text.string(id, text);
+    }
+
+    #[inline]
+    fn shorts(&mut self, which: u64, all: &[Short; BLOCK], limbs: &[u64; BLOCK]) {
+        self.text.shorts(which, all, limbs);
+    }
+
+    fn flush_much(&mut self) {
+        if self.text.bytes().len() >= CHUNK {
+            let file = &mut self.file;
+            self.text.exchange(|steps, length| file.hand_over(steps, length));
+        }
+    }
+
+    fn flush(&mut self) {
+        self.file.append(self.text.bytes());
+        self.text.clear();
+    }
+
+    fn report(&mut self) -> Result<(), Error> {
+        self.file.report()
     }
 }

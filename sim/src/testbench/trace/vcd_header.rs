@@ -5,7 +5,7 @@ use std::io;
 
 use tilewright_hdl::Reset;
 use tilewright_hdl::ir::Names;
-use vcd::{IdCode, ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
+use vcd::{ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
 
 use super::changes::Id;
 use super::glob;
@@ -86,7 +86,7 @@ pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result
         writer: Writer::new(Vec::new()),
         ids: HashMap::new(),
         strings: HashMap::new(),
-        next: IdCode::FIRST,
+        count: 0,
         header: Header { text: Vec::new(), variables: Vec::new(), clocks: Vec::new() },
     };
     let clock = |clock: &crate::engine::program::Clock| Clock {
@@ -151,9 +151,10 @@ struct Build<'a> {
     used: Vec<bool>,
     writer: Writer<Vec<u8>>,
     /// One id for each lane of a value, whatever its names.
-    ids: HashMap<(ValueId, u32), IdCode>,
-    strings: HashMap<(ValueId, u32), IdCode>,
-    next: IdCode,
+    ids: HashMap<(ValueId, u32), Id>,
+    strings: HashMap<(ValueId, u32), Id>,
+    /// The number of variables.
+    count: u32,
     header: Header,
 }
 
@@ -231,7 +232,7 @@ impl Build<'_> {
     }
 
     fn wire(&mut self, id: Option<Id>, name: &str) -> io::Result<Id> {
-        let id = id.unwrap_or_else(|| Id::new(fresh(&mut self.next)));
+        let id = id.unwrap_or_else(|| fresh(&mut self.count));
         self.writer.var_def(VarType::Wire, 1, id.code, name, None)?;
         Ok(id)
     }
@@ -240,13 +241,13 @@ impl Build<'_> {
     fn signal(&mut self, signal: &Signal, own: u32, lane: u32) -> io::Result<()> {
         let name = format!("{}{}", signal.name, hierarchy::index(signal.shape, own));
         let known = self.ids.get(&(signal.value, lane)).copied();
-        let id = known.unwrap_or_else(|| fresh(&mut self.next));
+        let id = known.unwrap_or_else(|| fresh(&mut self.count));
         let kind = match signal.role {
             Role::Register | Role::ReadData => VarType::Reg,
             Role::Input | Role::Output | Role::Net => VarType::Wire,
         };
         let index = (signal.width > 1).then(|| ReferenceIndex::Range(signal.width as i32 - 1, 0));
-        self.writer.var_def(kind, signal.width, id, &name, index)?;
+        self.writer.var_def(kind, signal.width, id.code, &name, index)?;
         if known.is_none() {
             self.ids.insert((signal.value, lane), id);
             let kind = if signal.width == 1 { VariableKind::Bit } else { VariableKind::Bits };
@@ -254,8 +255,8 @@ impl Build<'_> {
         }
         let Some(names) = signal.kind.names() else { return Ok(()) };
         let known = self.strings.get(&(signal.value, lane)).copied();
-        let id = known.unwrap_or_else(|| fresh(&mut self.next));
-        self.writer.var_def(VarType::String, 1, id, &format!("{name}_state"), None)?;
+        let id = known.unwrap_or_else(|| fresh(&mut self.count));
+        self.writer.var_def(VarType::String, 1, id.code, &format!("{name}_state"), None)?;
         if known.is_none() {
             self.strings.insert((signal.value, lane), id);
             self.variable(id, VariableKind::Code(names), signal.value, lane);
@@ -263,13 +264,13 @@ impl Build<'_> {
         Ok(())
     }
 
-    fn variable(&mut self, id: IdCode, kind: VariableKind, value: ValueId, lane: u32) {
-        self.header.variables.push(Variable { id: Id::new(id), kind, value, lane });
+    fn variable(&mut self, id: Id, kind: VariableKind, value: ValueId, lane: u32) {
+        self.header.variables.push(Variable { id, kind, value, lane });
     }
 }
 
-fn fresh(next: &mut IdCode) -> IdCode {
-    let id = *next;
-    *next = id.next();
-    id
+/// The next variable.
+fn fresh(count: &mut u32) -> Id {
+    *count += 1;
+    Id::new(*count - 1)
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::circuits::engine::{engine, of};
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, codes, stack, when};
-use tilewright_sim::{Error, Vcd};
+use tilewright_sim::{Error, Trace, Vcd};
 
 bundle! {
     pub struct LampIn<T> { pub toggle: T }
@@ -65,9 +65,9 @@ fn path(name: &str) -> PathBuf {
 }
 
 /// The text after two steps, the second with both lamps toggled.
-fn two_steps(vcd: Vcd, name: &str) -> String {
+fn two_steps(trace: Trace, name: &str) -> String {
     let mut sim = of(&Lamps);
-    sim.trace(vcd).unwrap();
+    sim.trace(trace).unwrap();
     sim.step();
     sim.set(sim.i.toggle, 3);
     sim.step();
