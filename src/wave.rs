@@ -2,6 +2,7 @@
 
 use crate::block::{BlockArguments, design, simulation};
 use crate::engine::EngineArguments;
+use crate::first_difference;
 use crate::names;
 use crate::player::{check_length, play};
 use crate::save_file;
@@ -21,7 +22,7 @@ use tilewright_hdl::Scenario;
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_sim::{Probe, Simulation, WaveRadix};
 
-/// Runs a block's scenario and shows it as a waveform
+/// Runs a block's scenario and shows it as a waveform, or compares two waveforms
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -41,10 +42,13 @@ If -o ends in .svg, it is a picture of the ports' waves, light or dark like the 
 --to ends the run at that time, except that text always shows the whole scenario. Without --radix, values in text and in pictures are hexadecimal,
 and signed values are decimal. Codes are always shown by name.
 
-Exit code 1 means that an assertion of the block fails, or that with --engine both the engines differ.")]
+--diff, as in `wave --diff before.vcd after.vcd`, matches signals by their names below a common top, so that a file of a testbench around a block can be compared with one of the block alone.
+It compares the time that both files have, and takes an unknown bit (x) for any other.
+
+Exit code 1 means that an assertion of the block fails, that with --engine both the engines differ, or that with --diff the waveforms do.")]
 pub struct Wave {
     #[command(flatten)]
-    block: BlockArguments,
+    block: Option<BlockArguments>,
     /// The waveform: an FST file if the name ends in .fst, a picture if it ends in .svg, and else a VCD file; `-` is standard output [default: show the wave as text]
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(waveform))]
     output: Option<PathBuf>,
@@ -61,6 +65,9 @@ pub struct Wave {
     json: bool,
     #[command(flatten)]
     filters: TraceOptions,
+    /// Compare two waveforms in place of a run, VCD or FST files of any program, and show where they differ first
+    #[arg(long, value_names = ["A", "B"], num_args = 2, exclusive = true)]
+    diff: Vec<PathBuf>,
 }
 
 /// The most clocks that a picture shows.
@@ -105,12 +112,14 @@ struct Report<'a> {
 impl Wave {
     /// Runs the scenario, writes the files and reports.
     pub fn run(self) -> Result<Exit, Failure> {
+        // Without a block there is a `--diff`.
+        let Some(block) = &self.block else { return first_difference::run(&self.diff) };
         self.check()?;
         let (picture, vcd) =
             if self.is_picture() { (self.output.as_ref(), None) } else { (None, self.output.as_ref()) };
         let save = vcd.and_then(|path| beside(path, "gtkw"));
         check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
-        let (entry, values) = self.block.find()?;
+        let (entry, values) = block.find()?;
         let mut sim = simulation(&design(entry, &values)?, self.engine.kind())?;
         let scenario = entry.scenario(&values)?;
         let text = self.is_text().then(|| self.record_ports(&mut sim, &scenario, "a wave in text")).transpose()?;

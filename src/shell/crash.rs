@@ -10,6 +10,15 @@ pub fn guard(command: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Fa
     panic::catch_unwind(AssertUnwindSafe(command)).unwrap_or(Ok(Exit::Crash))
 }
 
+/// Does work of a crate that may panic on bad input; `None` if it does. Nothing is printed.
+pub fn quietly<T>(work: impl FnOnce() -> T) -> Option<T> {
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
+    let done = panic::catch_unwind(AssertUnwindSafe(work));
+    panic::set_hook(hook);
+    done.ok()
+}
+
 fn sentence(panic: &PanicHookInfo) -> String {
     let payload = panic.payload();
     let text = payload.downcast_ref::<&str>().copied().or(payload.downcast_ref::<String>().map(String::as_str));

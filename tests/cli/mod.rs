@@ -35,3 +35,4 @@ mod terminal;
 mod turn;
 mod verilog;
 mod wave;
+mod wave_diff;
