@@ -1,0 +1,63 @@
+//! The files of a page.
+
+/// A page.
+///
+/// ```
+/// use tilewright_view::Page;
+///
+/// assert_eq!(format!("{:?}", Page::Frame), "Frame");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Page {
+    /// A frame coming into being.
+    Frame,
+}
+
+/// The name of the page itself.
+pub(crate) const INDEX: &str = "index.html";
+/// The name of the script that says what the page is about.
+pub(crate) const ABOUT: &str = "about.js";
+/// What the names of data begin with.
+pub(crate) const DATA: &str = "data/";
+
+pub(crate) const SCRIPT: &str = "text/javascript; charset=utf-8";
+const HTML: &str = "text/html; charset=utf-8";
+const CSS: &str = "text/css; charset=utf-8";
+
+/// Name, type and text.
+type Asset = (&'static str, &'static str, &'static str);
+
+/// A file of the folder `page/`.
+macro_rules! asset {
+    ($name:literal, $kind:expr) => {
+        ($name, $kind, include_str!(concat!("../page/", $name)))
+    };
+}
+
+const SHARED: &[Asset] =
+    &[asset!("style.css", CSS), asset!("data.js", SCRIPT), asset!("dom.js", SCRIPT), asset!("keys.js", SCRIPT)];
+
+const FRAME: &[Asset] = &[
+    ("index.html", HTML, include_str!("../page/frame.html")),
+    asset!("frame.css", CSS),
+    asset!("clock.js", SCRIPT),
+    asset!("film.js", SCRIPT),
+    asset!("paint.js", SCRIPT),
+    asset!("panel.js", SCRIPT),
+    asset!("lanes.js", SCRIPT),
+    asset!("pixel.js", SCRIPT),
+    asset!("frame.js", SCRIPT),
+];
+
+/// The files of a page, but for what it is about.
+pub(crate) fn files(page: Page) -> impl Iterator<Item = Asset> {
+    let own = match page {
+        Page::Frame => FRAME,
+    };
+    own.iter().chain(SHARED).copied()
+}
+
+/// The script that says what a page is about, and whether it is a folder without a server.
+pub(crate) fn about(json: &str, is_exported: bool) -> String {
+    format!("const ABOUT = {json};\nconst IS_EXPORTED = {is_exported};\nconst EXPORTED = {{}};\n")
+}
