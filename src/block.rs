@@ -27,16 +27,24 @@ impl BlockArguments {
     /// # Errors
     /// There is no such parameter, a value is out of its range, or one is set twice.
     pub fn find(&self) -> Result<(&'static Entry, Values), Failure> {
-        let mut settings: Vec<(&str, u64)> = Vec::new();
-        for (name, value) in &self.settings {
-            let name = parameter(self.block, name)?;
-            if settings.iter().any(|(before, _)| *before == name) {
-                return Err(Failure::new(Exit::BadInput, format!("{name} is set twice: give one --set {name}=VALUE")));
-            }
-            settings.push((name, *value));
-        }
-        Ok((self.block, self.block.values(settings)?))
+        Ok((self.block, values(self.block, &self.settings)?))
     }
+}
+
+/// The values of a block's parameters, of which some are set.
+///
+/// # Errors
+/// There is no such parameter, a value is out of its range, or one is set twice.
+pub fn values(block: &'static Entry, given: &[(String, u64)]) -> Result<Values, Failure> {
+    let mut settings: Vec<(&str, u64)> = Vec::new();
+    for (name, value) in given {
+        let name = parameter(block, name)?;
+        if settings.iter().any(|(before, _)| *before == name) {
+            return Err(Failure::new(Exit::BadInput, format!("{name} is set twice: give one --set {name}=VALUE")));
+        }
+        settings.push((name, *value));
+    }
+    Ok(block.values(settings)?)
 }
 
 /// The circuit of a block.
@@ -91,7 +99,11 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
     tilewright_rtl::catalog::ENTRIES.iter().chain(tilewright_blocks::catalog::ENTRIES)
 }
 
-fn setting(text: &str) -> Result<(String, u64), &'static str> {
+/// Reads the setting of a parameter.
+///
+/// # Errors
+/// A sentence that says what to give.
+pub fn setting(text: &str) -> Result<(String, u64), &'static str> {
     let (name, value) = text.split_once('=').ok_or("write it as NAME=VALUE, such as width=16")?;
     let value = value.parse().map_err(|problem: ParseIntError| match problem.kind() {
         IntErrorKind::PosOverflow => "no parameter has a value as large as this",

@@ -2,10 +2,11 @@
 
 mod figures;
 mod job;
-mod pixel_planes;
-mod pixelflow;
-mod quadtree;
-mod vc1;
+pub mod pixel_planes;
+pub mod pixelflow;
+pub mod quadtree;
+pub mod vc1;
+mod viewed;
 
 use crate::shell::{Exit, Failure};
 use clap::{Args, ValueEnum};
@@ -14,6 +15,7 @@ use serde::Serialize;
 pub use figures::{ENTRANTS, Entrant, Figures};
 pub use job::{Job, Run};
 pub use vc1::Turn;
+pub use viewed::Viewed;
 
 /// A machine by its name on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

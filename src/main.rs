@@ -30,6 +30,7 @@ mod synth;
 mod trace;
 mod verdict;
 mod verilog;
+mod view;
 mod watch;
 mod wave;
 
@@ -75,6 +76,7 @@ enum Command {
     Compare(compare::Compare),
     Golden(golden::Golden),
     Wave(wave::Wave),
+    View(view::View),
     Verilog(verilog::Verilog),
     Prove(prove::Prove),
     Diagram(diagram::Diagram),
@@ -96,6 +98,7 @@ impl Command {
             Command::Compare(it) => it.run(),
             Command::Golden(it) => it.run(),
             Command::Wave(it) => it.run(),
+            Command::View(it) => it.run(),
             Command::Verilog(it) => it.run(),
             Command::Prove(it) => it.run(),
             Command::Diagram(it) => it.run(),

@@ -122,7 +122,11 @@ fn warn(scene: &Scene, warnings: impl IntoIterator<Item = String>) {
     }
 }
 
-fn size(text: &str) -> Result<Size, String> {
+/// Reads the size of a frame.
+///
+/// # Errors
+/// A sentence that says what to give.
+pub fn size(text: &str) -> Result<Size, String> {
     let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
     let (width, height) = sides.ok_or("give width and height in pixels, such as 640x480")?;
     Size::new(width, height).map_err(|error| error.to_string())

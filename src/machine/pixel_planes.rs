@@ -3,6 +3,7 @@
 use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
+use super::viewed::Viewed;
 use crate::golden;
 use crate::names::Names;
 use crate::number::number;
@@ -14,6 +15,7 @@ use tilewright_machines::pixel_planes::{Config, Edges, Machine, RendererReport, 
 use tilewright_rtl::pixel_planes::PERIOD;
 use tilewright_scenes::golden::{Rule, fragments_of, render_polygons_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
+use tilewright_view::{Clock, Grid};
 
 /// Its options.
 #[derive(Args, Default)]
@@ -148,5 +150,16 @@ impl Compared for PixelPlanesJob {
             limit: limit.unit.to_string(),
             limit_share: limit.clocks as f64 / clocks.max(1) as f64,
         })
+    }
+}
+
+impl Viewed for PixelPlanesJob {
+    fn clock(&self, _: &Report) -> Clock {
+        Clock { name: "the renderers".to_owned(), picoseconds: PERIOD.picoseconds() }
+    }
+
+    fn grid(&self) -> Option<Grid> {
+        let side = self.config.side;
+        Some(Grid { name: format!("regions of {side}x{side}"), size: [side; 2] })
     }
 }

@@ -5,6 +5,7 @@ mod stereo;
 use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
+use super::viewed::Viewed;
 use crate::golden;
 use crate::names;
 use crate::number::number;
@@ -17,6 +18,10 @@ use tilewright_machines::pixelflow::{Config, Machine, Report};
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
 use tilewright_scenes::golden::{fragments, render_deferred_watched, render_samples_watched, render_watched};
 use tilewright_scenes::{Field, Frame, Polygons, Projection, Scene, Size};
+use tilewright_view::{Clock, Grid};
+
+/// The period of the network's clock.
+const PICOSECONDS: u64 = 5000;
 
 /// Its options.
 #[derive(Args, Default)]
@@ -296,7 +301,7 @@ impl Compared for PixelFlowJob {
             register_bits: bits(|it| it.registers),
             memory_bits: bits(|it| it.memories),
             clocks,
-            picoseconds: report.latency() * 5000,
+            picoseconds: report.latency() * PICOSECONDS,
             time:
                 "from the start of the front end, which takes the paper's time, to the last region in the frame buffer"
                     .to_owned(),
@@ -306,5 +311,16 @@ impl Compared for PixelFlowJob {
             limit: limit.name.to_owned(),
             limit_share: limit.busy as f64 / report.latency().max(1) as f64,
         })
+    }
+}
+
+impl Viewed for PixelFlowJob {
+    fn clock(&self, _: &Report) -> Clock {
+        Clock { name: "the network".to_owned(), picoseconds: PICOSECONDS }
+    }
+
+    fn grid(&self) -> Option<Grid> {
+        let [width, height] = self.config.array;
+        Some(Grid { name: format!("regions of {width}x{height}"), size: [width, height] })
     }
 }

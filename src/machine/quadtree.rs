@@ -3,6 +3,7 @@
 use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
+use super::viewed::Viewed;
 use crate::golden;
 use crate::names::{self, Names};
 use crate::number::number;
@@ -14,6 +15,7 @@ use tilewright_machines::quadtree::{Config, Machine, Queues, Report, Stage, Test
 use tilewright_rtl::quadtree::format::Matrix;
 use tilewright_scenes::golden::{render_strict_watched, render_watched};
 use tilewright_scenes::{Frame, Polygons, Scene, Size};
+use tilewright_view::{Clock, Grid};
 
 /// Its options.
 #[derive(Args, Default)]
@@ -168,5 +170,18 @@ impl Compared for QuadtreeJob {
             limit: busiest.map_or_else(String::new, name),
             limit_share: busiest.map_or(0.0, |stage| stage.load[1]),
         })
+    }
+}
+
+impl Viewed for QuadtreeJob {
+    fn clock(&self, report: &Report) -> Clock {
+        let drawing = report.phases.iter().find(|phase| phase.name == Report::DRAWING);
+        let picoseconds = drawing.map_or(0, |phase| phase.picoseconds) / report.drawing_clocks().max(1);
+        Clock { name: "the generator".to_owned(), picoseconds: picoseconds.max(1) }
+    }
+
+    fn grid(&self) -> Option<Grid> {
+        let (p, q) = self.config.matrix;
+        Some(Grid { name: format!("a pixel of each processor, {p}x{q}"), size: [p, q] })
     }
 }

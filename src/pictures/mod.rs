@@ -4,7 +4,7 @@ mod film;
 mod label;
 pub mod owners;
 mod painted;
-mod times;
+pub mod times;
 
 pub use painted::{Paint, Painted, all_on_a_sheet, animation, sheet};
 

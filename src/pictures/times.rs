@@ -16,18 +16,12 @@ const FEW: usize = 120;
 /// The chart. A lane with few spans shows each of them. A lane with many shows the share of each class in each part of the time. A unit that draws has its
 /// colour beside its name.
 pub fn chart(history: &History, title: &str) -> Timeline {
-    let mut kinds: Vec<&str> = Vec::new();
-    for span in history.lanes.iter().flat_map(|lane| &lane.spans) {
-        if !kinds.contains(&span.what) {
-            kinds.push(span.what);
-        }
-    }
-    let (waiting, work): (Vec<&str>, Vec<&str>) = kinds.iter().partition(|kind| WAITING.contains(kind));
+    let (kinds, working) = kinds(history);
+    let (work, waiting) = kinds.split_at(working);
     let end = history.lanes.iter().filter_map(|lane| Some(lane.spans.last()?.to)).max().unwrap_or(0);
-    let chart = Timeline::new("timeline", title, "time, ms", Origin::rtl([])).kinds(work.clone(), waiting.clone());
+    let chart = Timeline::new("timeline", title, "time, ms", Origin::rtl([])).kinds(work.to_vec(), waiting.to_vec());
     let is_painter = |lane: &Lane| history.painters.contains(&lane.name);
     let chart = if history.lanes.iter().any(is_painter) { chart.note(NOTE) } else { chart };
-    let kinds = [work, waiting].concat();
     let lane = |lane: &Lane| {
         let painter = (0..).zip(&history.painters).find(|(_, name)| **name == lane.name);
         let bars = bars(lane, &kinds, end);
@@ -39,23 +33,40 @@ pub fn chart(history: &History, title: &str) -> Timeline {
     history.lanes.iter().map(lane).fold(chart, Timeline::lane)
 }
 
-fn bars(lane: &Lane, kinds: &[&'static str], end: u64) -> Bars {
+/// The activities: first those of work, of which there is that number, then those of waiting.
+pub fn kinds(history: &History) -> (Vec<&'static str>, usize) {
+    let mut kinds: Vec<&'static str> = Vec::new();
+    for span in history.lanes.iter().flat_map(|lane| &lane.spans) {
+        if !kinds.contains(&span.what) {
+            kinds.push(span.what);
+        }
+    }
+    let (waiting, work): (Vec<&str>, Vec<&str>) = kinds.iter().partition(|kind| WAITING.contains(kind));
+    let count = work.len();
+    ([work, waiting].concat(), count)
+}
+
+/// A lane's parts of the time until that end, with the share of each activity: its spans if they are few, or else columns.
+pub fn parts(lane: &Lane, kinds: &[&'static str], end: u64) -> Vec<Column> {
     let follow = lane.spans.array_windows().all(|[one, next]| one.to <= next.from);
-    let columns = match follow && lane.spans.len() <= FEW {
+    match follow && lane.spans.len() <= FEW {
         true => lane
             .spans
             .iter()
             .map(|span| (span.from, span.to, vec![(span.what, share(span.amount as f64, lane, span.from, span.to))]))
             .collect(),
         false => columns(lane, kinds, end),
-    };
-    columns.into_iter().fold(Bars::new(&lane.name), |bars, (from, to, shares)| {
+    }
+}
+
+fn bars(lane: &Lane, kinds: &[&'static str], end: u64) -> Bars {
+    parts(lane, kinds, end).into_iter().fold(Bars::new(&lane.name), |bars, (from, to, shares)| {
         bars.shares(milliseconds(from), milliseconds(to), shares)
     })
 }
 
 /// Begin and end, and the share of each class in that time.
-type Column = (u64, u64, Vec<(&'static str, f64)>);
+pub type Column = (u64, u64, Vec<(&'static str, f64)>);
 
 /// The shares in equal parts of the time; equal neighbours are joined.
 fn columns(lane: &Lane, kinds: &[&'static str], end: u64) -> Vec<Column> {

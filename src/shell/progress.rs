@@ -71,6 +71,12 @@ pub fn phase(what: &'static str) {
     lock().say(what, None, Instant::now());
 }
 
+/// The current work, and the part of it that is done, from 0 to 1, if that is known.
+pub fn now() -> (&'static str, Option<f64>) {
+    let line = lock();
+    (line.what, line.done)
+}
+
 /// Removes the line, and blocks it while something else is written.
 pub fn aside(write: impl FnOnce()) {
     let mut line = lock();
@@ -88,9 +94,11 @@ impl Progress {
     pub fn show(&self, what: &'static str, fraction: f64) {
         let mut line = lock();
         let is_soon = line.said.is_some_and(|said| said.elapsed() < PAUSE);
-        if line.is_visible && !(line.is_drawn && line.what == what && is_soon) {
+        if !(line.is_drawn && line.what == what && is_soon) {
             line.say(what, Some(fraction), self.begin);
-            line.draw();
+            if line.is_visible {
+                line.draw();
+            }
         }
     }
 }

@@ -1,8 +1,10 @@
 //! Every command line that the help texts, the README and the page of commands show runs as it stands.
 
-use crate::cli::harness::Folder;
+use crate::cli::harness::{Folder, Run};
+use crate::cli::interruption::{send, start_command};
 use crate::cli::reproduce::made::made;
 use std::collections::BTreeSet;
+use std::io::{BufRead, BufReader};
 use tilewright_gen::tools::{skipped, skipped_without};
 
 /// The subcommands, from the program's own list.
@@ -19,12 +21,28 @@ fn assert_runs(folder: &Folder, arguments: &str) {
         assert_eq!(made(options).run.code, Some(0));
         return;
     }
+    if arguments.starts_with("view ") && !arguments.contains("--export") {
+        assert_serves(folder, arguments);
+        return;
+    }
     let run = folder.shell(&format!("tilewright {arguments}"));
     if run.code == Some(4) {
         let _ = skipped(&format!("{arguments}: {}", run.stderr.trim_end()));
         return;
     }
     assert_eq!(run.code, Some(0), "{arguments}: {run:?}");
+}
+
+/// Runs a command that goes on until it is stopped, and prints an address before.
+fn assert_serves(folder: &Folder, arguments: &str) {
+    // A port that the page names may be in use here.
+    let free: Vec<&str> = arguments.split(" --port ").take(1).collect();
+    let mut child = start_command(&mut folder.command(free[0]));
+    let mut line = String::new();
+    BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
+    send(&child, "INT");
+    let run = Run::of(child.wait_with_output().unwrap());
+    assert!(line.starts_with("http://127.0.0.1:") && run.code == Some(0), "{arguments}: {line}{run:?}");
 }
 
 /// The arguments of a command line without its comment.

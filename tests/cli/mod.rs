@@ -34,5 +34,6 @@ mod synth;
 mod terminal;
 mod turn;
 mod verilog;
+mod view;
 mod wave;
 mod wave_diff;

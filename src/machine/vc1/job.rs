@@ -3,11 +3,13 @@
 use crate::golden;
 use crate::machine::figures::{Compared, Figures, state};
 use crate::machine::job::{Job, Run};
+use crate::machine::viewed::Viewed;
 use crate::shell::Failure;
 use tilewright_machines::vc1::{Config, Machine, Report, Shown, Times};
 use tilewright_rtl::clocks::PE;
 use tilewright_scenes::golden::{average, render_watched};
 use tilewright_scenes::{Frame, Projection, Size};
+use tilewright_view::{Clock, Grid};
 
 /// A picture of a scene, and the machine for it.
 pub struct Vc1Job {
@@ -98,4 +100,15 @@ pub(super) fn golden_of(config: &Config, views: &[Projection], background: [u8; 
         }
         Some(picture)
     })
+}
+
+impl Viewed for Vc1Job {
+    fn clock(&self, _: &Report) -> Clock {
+        Clock { name: "the processing elements".to_owned(), picoseconds: PE.period.picoseconds() }
+    }
+
+    fn grid(&self) -> Option<Grid> {
+        let side = self.config.patch;
+        Some(Grid { name: format!("patches of {side}x{side}, each a page"), size: [side; 2] })
+    }
 }

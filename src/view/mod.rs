@@ -1,0 +1,130 @@
+//! `tilewright view`: a page in the browser that shows a frame coming into being by machine time.
+
+mod frame;
+mod open;
+mod picture;
+
+use crate::machine::Machine;
+use crate::names;
+use crate::number::number;
+use crate::scene::size;
+use crate::shell::output::Folder;
+use crate::shell::place::shown;
+use crate::shell::{Exit, Failure, interrupt, progress, terminal};
+use clap::Args;
+use frame::FrameSite;
+use std::ffi::OsString;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tilewright_scenes::{Scene, Size};
+use tilewright_view::{Server, Site, export};
+
+/// Shows a frame coming into being, on a page in the browser
+#[derive(Args)]
+#[command(after_help = "\
+Examples:
+  tilewright view teapot
+  tilewright view star --size 320x240 --machine pixelflow
+  tilewright view wireframe --port 8080
+  tilewright view star --size 160x120 --machine quadtree --export page
+
+The command prints the address of the page, and serves it until Ctrl-C. The exit code is then 0. The page needs no network: its server listens
+on 127.0.0.1 alone. It answers only addresses with the token that it printed, and no page from elsewhere.
+
+The frame comes into being by machine time. Each machine draws when the page asks for it, as `render` draws without options, and is compared
+with the golden image. The page shows which unit wrote which pixel, and what each unit does. The camera turns when the picture is dragged.
+
+--export writes the page as files, which a browser opens without a server, such as page/index.html.
+
+Exit code 2 also means that the port of --port is in use.")]
+pub struct View {
+    /// A built-in scene's name, or the path of a .toml, .obj, .gltf, .glb, .ply or .stl file
+    #[arg(value_name = "SCENE")]
+    scene: OsString,
+    /// The machine that draws first; with --export the machines that the page has, and may be repeated [default: vc1]
+    #[arg(long = "machine", value_name = "MACHINE", value_parser = names::of::<Machine>("machine"))]
+    machines: Vec<Machine>,
+    /// Size of the frame in pixels [default: what the scene asks for]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<Size>,
+    /// Port of the server [default: a free one]
+    #[arg(long, value_name = "PORT", value_parser = number(1..=u16::MAX))]
+    port: Option<u16>,
+    /// Open the page in the browser
+    #[arg(long)]
+    open: bool,
+    /// Write the page to this folder instead, which is made if it is missing
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["port", "open"])]
+    export: Option<PathBuf>,
+}
+
+impl View {
+    /// Serves the page until Ctrl-C, or writes it.
+    pub fn run(self) -> Result<Exit, Failure> {
+        self.export.as_deref().map_or(Ok(()), Folder::check)?;
+        progress::phase("reading");
+        let scene = Scene::load_sized(&self.scene, self.size)?;
+        let Some(folder) = &self.export else {
+            if let [_, second, ..] = self.machines[..] {
+                let sentence = format!(
+                    "--machine {} is a second machine, and the page has all of them: name the one that draws first",
+                    second.name()
+                );
+                return Err(Failure::new(Exit::BadInput, sentence));
+            }
+            let site = FrameSite::live(scene, self.machines.first().copied().unwrap_or(Machine::Vc1));
+            return self.serve(Arc::new(site));
+        };
+        let machines = if self.machines.is_empty() { &[Machine::Vc1] } else { &self.machines[..] };
+        let site = FrameSite::of(scene, machines)?;
+        let names: Vec<String> = machines.iter().map(|machine| format!("frame/{}", machine.name())).collect();
+        write(folder, &site, &names.iter().map(String::as_str).collect::<Vec<_>>())
+    }
+
+    fn serve(&self, site: Arc<dyn Site>) -> Result<Exit, Failure> {
+        // From here on a signal ends the server, also before it answers.
+        interrupt::flag();
+        let server = Server::bind(self.port).map_err(|error| self.unbound(&error))?;
+        let address = server.address();
+        terminal::print(&format!("{address}\n"))?;
+        terminal::talk("Ctrl-C ends the server");
+        if self.open {
+            open::open(&address);
+        }
+        server.serve(&site, interrupt::asked);
+        Ok(Exit::Done)
+    }
+
+    fn unbound(&self, error: &std::io::Error) -> Failure {
+        let port = self.port.map_or_else(|| "a port".to_owned(), |port| format!("port {port}"));
+        let sentence = match error.kind() {
+            ErrorKind::AddrInUse => format!("{port} is in use: leave out --port, or give another one"),
+            _ => format!("{port} of 127.0.0.1 cannot be opened ({error}): leave out --port, or give another one"),
+        };
+        Failure::new(Exit::BadInput, sentence)
+    }
+}
+
+/// Writes a page with these data to a folder.
+fn write(folder: &Path, site: &dyn Exported, names: &[&str]) -> Result<Exit, Failure> {
+    let data: Vec<(String, Vec<u8>)> =
+        names.iter().map(|name| Ok(((*name).to_owned(), site.whole(name)?))).collect::<Result<_, Failure>>()?;
+    let files = export::files(site.page(), &site.about(), data);
+    let mut inner: Vec<&str> = files.iter().filter_map(|file| Some(file.name.rsplit_once('/')?.0)).collect();
+    inner.sort_unstable();
+    inner.dedup();
+    let written = Folder::make_with(folder, &inner)?;
+    written.fill(files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())))?;
+    terminal::talk(&format!("open {} in a browser", shown(&folder.join("index.html"))));
+    Ok(Exit::Done)
+}
+
+/// A site whose data can be waited for.
+trait Exported: Site {
+    /// The data of that name, as JSON.
+    ///
+    /// # Errors
+    /// They cannot be made; Ctrl-C.
+    fn whole(&self, name: &str) -> Result<Vec<u8>, Failure>;
+}

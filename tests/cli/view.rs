@@ -1,0 +1,193 @@
+//! `view`: the server as a browser meets it, and the page as files. The page itself is played in the tests of its crate.
+#![cfg(unix)]
+
+use crate::cli::harness::{Folder, Run};
+use crate::cli::interruption::{send, start_command};
+use crate::tree::files;
+use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::path::PathBuf;
+use std::process::Child;
+use std::time::{Duration, Instant};
+
+/// A running server, and its address.
+struct Served {
+    child: Child,
+    /// The host with its port, and the path with the token.
+    host: String,
+    path: String,
+}
+
+impl Served {
+    fn start(folder: &Folder, arguments: &str) -> Served {
+        let mut child = start_command(&mut folder.command(&format!("view {arguments}")));
+        let mut line = String::new();
+        BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
+        let address = line.trim_end().strip_prefix("http://").unwrap_or_else(|| panic!("{line}"));
+        let (host, path) = address.split_at(address.find('/').unwrap());
+        Served { host: host.to_owned(), path: path.to_owned(), child }
+    }
+
+    /// The status and the text of the answer to a request.
+    fn ask(&self, method: &str, path: &str, host: &str) -> (u16, String) {
+        let mut stream = TcpStream::connect(&self.host).unwrap();
+        write!(stream, "{method} {path} HTTP/1.1\r\nHost: {host}\r\n\r\n").unwrap();
+        let mut bytes = Vec::new();
+        stream.read_to_end(&mut bytes).unwrap();
+        let text = String::from_utf8(bytes).unwrap();
+        let (head, body) = text.split_once("\r\n\r\n").unwrap();
+        (head.split(' ').nth(1).unwrap().parse().unwrap(), body.to_owned())
+    }
+
+    fn get(&self, name: &str) -> (u16, String) {
+        self.ask("GET", &format!("{}{name}", self.path), &self.host)
+    }
+
+    /// The data of a name, which the server may still be making.
+    fn data(&self, name: &str) -> (u16, serde_json::Value) {
+        let begin = Instant::now();
+        loop {
+            let (status, text) = self.get(&format!("data/{name}"));
+            if status != 202 {
+                return (status, serde_json::from_str(&text).unwrap_or_default());
+            }
+            assert!(begin.elapsed() < Duration::from_secs(120), "{name}: {text}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    fn stop(self, signal: &str) -> Run {
+        send(&self.child, signal);
+        Run::of(self.child.wait_with_output().unwrap())
+    }
+}
+
+#[test]
+fn a_scene_is_served_until_ctrl_c() {
+    let served = Served::start(&Folder::with_pyramid(), "pyramid.obj --size 32x24 --machine quadtree");
+    assert!(served.host.starts_with("127.0.0.1:") && served.path.len() == 34, "{}{}", served.host, served.path);
+    let (status, page) = served.get("");
+    assert!(status == 200 && page.contains("<script src=\"frame.js\">"), "{page}");
+    let about = served.get("about.js").1;
+    assert!(about.contains(r#""first":"quadtree""#) && about.contains(r#""title":"pyramid, 32x24 pixels""#), "{about}");
+    for (machine, clock) in [("vc1", 25_000), ("quadtree", 10_000), ("pixel-planes-5", 25_000), ("pixelflow", 5000)] {
+        let (status, frame) = served.data(&format!("frame/{machine}?turn=0"));
+        assert_eq!((status, &frame["machine"]), (200, &machine.into()));
+        assert_eq!(frame["verdict"], "identical to the golden image", "{machine}");
+        assert_eq!((&frame["size"], &frame["clock"]["picoseconds"]), (&[32, 24].into(), &clock.into()), "{machine}");
+    }
+    // The camera turns, and another frame is drawn.
+    let [one, other] = [0, 90].map(|turn| served.data(&format!("frame/quadtree?turn={turn}")).1["writes"].clone());
+    assert_ne!(one, other);
+    for name in ["frame/vc1?turn=181", "frame/vc1", "frame/riva128?turn=0", "golden"] {
+        assert_eq!(served.get(&format!("data/{name}")).0, 404, "{name}");
+    }
+    let path = served.path.clone();
+    assert_eq!(served.ask("POST", &path, &served.host).0, 405);
+    assert_eq!(served.ask("GET", &path, "tilewright.invalid").0, 403);
+    assert_eq!(served.ask("GET", "/", &served.host).0, 404);
+    let host = served.host.clone();
+    let run = served.stop("INT");
+    assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (Some(0), "", "Ctrl-C ends the server\n"));
+    assert!(TcpStream::connect(host).is_err());
+}
+
+#[test]
+fn a_machine_that_cannot_draw_says_why() {
+    let served = Served::start(&Folder::new(), "molecule --size 16x12 --quiet");
+    let (status, answer) = served.data("frame/vc1?turn=0");
+    let sentence = answer["sentence"].as_str().unwrap_or_default();
+    assert!(status == 422 && sentence.contains("spheres, which only pixel-planes-5 draws"), "{answer}");
+    let run = served.stop("TERM");
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+}
+
+/// Also while a frame is being drawn.
+#[test]
+fn the_server_ends_soon() {
+    let served = Served::start(&Folder::new(), "ter250 --size 1024x768");
+    let begin = Instant::now();
+    assert_eq!(served.stop("INT").code, Some(0));
+    assert!(begin.elapsed() < Duration::from_secs(30), "{:?}", begin.elapsed());
+}
+
+#[test]
+fn the_browser_is_opened_on_request() {
+    let folder =
+        Folder::with(&[("xdg-open", "#!/bin/sh\necho \"$1\" >opened.part; mv opened.part opened\n"), ("star", "")]);
+    let line = format!(
+        "chmod +x xdg-open; PATH=$PWD:$PATH exec {} view wireframe --size 8x8 --open",
+        crate::cli::harness::PROGRAM
+    );
+    let mut shell = std::process::Command::new("sh");
+    let mut child = start_command(shell.args(["-c", &line]).current_dir(folder.path(".")));
+    let mut address = String::new();
+    BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut address).unwrap();
+    let begin = Instant::now();
+    // On other systems another program opens it.
+    while cfg!(target_os = "linux") && !folder.path("opened").exists() {
+        assert!(begin.elapsed() < Duration::from_secs(30), "nothing was opened");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    if cfg!(target_os = "linux") {
+        assert_eq!(folder.read("opened"), address);
+    }
+    send(&child, "INT");
+    assert_eq!(child.wait_with_output().unwrap().status.code(), Some(0));
+}
+
+#[test]
+fn wrong_use_ends_in_a_sentence() {
+    let taken = TcpListener::bind(("127.0.0.1", 0)).unwrap();
+    let port = taken.local_addr().unwrap().port();
+    let folder = Folder::new();
+    let cases = [
+        (format!("star --port {port}"), format!("port {port} is in use: leave out --port, or give another one")),
+        ("star --port 0".to_owned(), "give a whole number from 1 to 65535".to_owned()),
+        ("stat".to_owned(), "did you mean".to_owned()),
+        (
+            "star --machine vc1 --machine quadtree".to_owned(),
+            "--machine quadtree is a second machine, and the page has all of them".to_owned(),
+        ),
+        ("star --machine vc1 --machine vc1 --export x".to_owned(), "--machine vc1 is given twice".to_owned()),
+        ("star --export -".to_owned(), "standard output takes one file".to_owned()),
+        ("star --export x --open".to_owned(), "cannot be used with".to_owned()),
+        ("molecule --export x".to_owned(), "vc1: the scene has spheres".to_owned()),
+    ];
+    for (arguments, sentence) in cases {
+        let run = folder.run(&format!("view {arguments}"));
+        assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{arguments}: {run:?}");
+        assert!(run.stderr.contains(&sentence), "{arguments}: {run:?}");
+    }
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
+}
+
+/// All files below a folder.
+fn content(folder: &Folder) -> BTreeMap<PathBuf, Vec<u8>> {
+    let root = folder.path("page");
+    let found = files(&root, &["html", "css", "js"]);
+    found.iter().map(|path| (path.strip_prefix(&root).unwrap().to_owned(), std::fs::read(path).unwrap())).collect()
+}
+
+#[test]
+fn two_exports_have_the_same_bytes() {
+    let folders = [Folder::with_pyramid(), Folder::with_pyramid()];
+    for folder in &folders {
+        let run = folder.run("view pyramid.obj --size 32x24 --machine pixelflow --machine vc1 --export page");
+        assert_eq!((run.code, run.stdout.as_str()), (Some(0), ""), "{run:?}");
+        assert!(run.stderr.ends_with("open page/index.html in a browser\n"), "{run:?}");
+    }
+    let [one, other] = folders.each_ref().map(content);
+    assert!(one == other);
+    let names: Vec<&str> = one.keys().filter_map(|name| name.to_str()).collect();
+    assert!(
+        ["index.html", "about.js", "data/frame/vc1.js", "data/frame/pixelflow.js"].iter().all(|it| names.contains(it)),
+        "{names:?}"
+    );
+    let place = folders[0].path("").to_str().unwrap().to_owned();
+    for (name, bytes) in &one {
+        let text = String::from_utf8_lossy(bytes);
+        assert!(!text.contains(&place) && !text.contains(env!("CARGO_MANIFEST_DIR")), "{name:?}");
+    }
+}
