@@ -1,53 +1,65 @@
-//! `tilewright view`: a page in the browser that shows a frame coming into being by machine time.
+//! `tilewright view`: a page in the browser that shows a frame coming into being, or a block clock by clock.
 
+mod block;
 mod frame;
+mod nets;
 mod open;
 mod picture;
 
+use crate::block::entries;
 use crate::machine::Machine;
-use crate::names;
+use crate::names::{self, are_alike, not_listed};
 use crate::number::number;
 use crate::scene::size;
 use crate::shell::output::Folder;
 use crate::shell::place::shown;
 use crate::shell::{Exit, Failure, interrupt, progress, terminal};
+use block::BlockSite;
 use clap::Args;
 use frame::FrameSite;
 use std::ffi::OsString;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use tilewright_scenes::{Scene, Size};
+use tilewright_hdl::catalog::Entry;
+use tilewright_scenes::{Scene, Size, builtin};
 use tilewright_view::{Server, Site, export};
 
-/// Shows a frame coming into being, on a page in the browser
+/// Shows a scene on the machines, or a block, on a page in the browser
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
   tilewright view teapot
   tilewright view star --size 320x240 --machine pixelflow
-  tilewright view wireframe --port 8080
+  tilewright view merging-unit
+  tilewright view fifo --set depth=8 --port 8080
   tilewright view star --size 160x120 --machine quadtree --export page
+  tilewright view merging-unit --export block
 
 The command prints the address of the page, and serves it until Ctrl-C. The exit code is then 0. The page needs no network: its server listens
 on 127.0.0.1 alone. It answers only addresses with the token that it printed, and no page from elsewhere.
 
-The frame comes into being by machine time. Each machine draws when the page asks for it, as `render` draws without options, and is compared
+A scene: the frame comes into being by machine time. Each machine draws when the page asks for it, as `render` draws without options, and is compared
 with the golden image. The page shows which unit wrote which pixel, and what each unit does. The camera turns when the picture is dragged.
+
+A block: its diagram, the wave of its scenario, and the value of each net at a clock, with its source line.
 
 --export writes the page as files, which a browser opens without a server, such as page/index.html.
 
 Exit code 2 also means that the port of --port is in use.")]
 pub struct View {
-    /// A built-in scene's name, or the path of a .toml, .obj, .gltf, .glb, .ply or .stl file
-    #[arg(value_name = "SCENE")]
-    scene: OsString,
+    /// A scene, as for `render`, or a block, as for `wave`
+    #[arg(value_name = "SCENE|BLOCK")]
+    what: OsString,
     /// The machine that draws first; with --export the machines that the page has, and may be repeated [default: vc1]
     #[arg(long = "machine", value_name = "MACHINE", value_parser = names::of::<Machine>("machine"))]
     machines: Vec<Machine>,
     /// Size of the frame in pixels [default: what the scene asks for]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<Size>,
+    /// Value of a block's parameter; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = crate::block::setting)]
+    settings: Vec<(String, u64)>,
     /// Port of the server [default: a free one]
     #[arg(long, value_name = "PORT", value_parser = number(1..=u16::MAX))]
     port: Option<u16>,
@@ -63,8 +75,45 @@ impl View {
     /// Serves the page until Ctrl-C, or writes it.
     pub fn run(self) -> Result<Exit, Failure> {
         self.export.as_deref().map_or(Ok(()), Folder::check)?;
+        match self.block()? {
+            Some(entry) => {
+                let site = BlockSite::new(entry, &self.settings)?;
+                match &self.export {
+                    Some(folder) => write(folder, &site, &[BlockSite::DATA]),
+                    None => self.serve(Arc::new(site)),
+                }
+            }
+            None => self.run_scene(),
+        }
+    }
+
+    /// The block that is meant, unless it is a scene. A scene's name is never that of a block.
+    fn block(&self) -> Result<Option<&'static Entry>, Failure> {
+        let name = self.what.to_string_lossy();
+        let found = entries().find(|entry| are_alike(&name, entry.name));
+        let given = [
+            ("--machine", "a scene", found.is_some() && !self.machines.is_empty()),
+            ("--size", "a scene", found.is_some() && self.size.is_some()),
+            ("--set", "a block", found.is_none() && !self.settings.is_empty()),
+        ];
+        if let Some((option, of, _)) = given.into_iter().find(|(.., is_wrong)| *is_wrong) {
+            let is = if found.is_some() { "a block" } else { "a scene" };
+            let sentence = format!("{option} is an option for {of}, and {name} is {is}: leave it out");
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        let path = Path::new(&self.what);
+        let is_name = path.extension().is_none() && path.components().count() == 1 && !path.exists();
+        if found.is_none() && is_name && !builtin::NAMES.contains(&&*name) {
+            let known: Vec<&str> = builtin::NAMES.into_iter().chain(entries().map(|entry| entry.name)).collect();
+            let lead = format!("there is no scene and no block `{name}`");
+            return Err(Failure::new(Exit::BadInput, not_listed(&lead, &name, &known, "tilewright list")));
+        }
+        Ok(found)
+    }
+
+    fn run_scene(&self) -> Result<Exit, Failure> {
         progress::phase("reading");
-        let scene = Scene::load_sized(&self.scene, self.size)?;
+        let scene = Scene::load_sized(&self.what, self.size)?;
         let Some(folder) = &self.export else {
             if let [_, second, ..] = self.machines[..] {
                 let sentence = format!(

@@ -93,6 +93,30 @@ fn a_scene_is_served_until_ctrl_c() {
     assert!(TcpStream::connect(host).is_err());
 }
 
+/// The pairs of numbers of a merging unit come out four clocks later.
+#[test]
+fn a_block_is_served() {
+    let served = Served::start(&Folder::new(), "merging-unit");
+    assert!(served.get("").1.contains("<script src=\"block.js\">"));
+    let (status, data) = served.data("block");
+    assert_eq!((status, &data["times"][1]), (200, &80_000.into()));
+    let net = |name: &str| data["nets"].as_array().unwrap().iter().find(|net| net["name"] == name).unwrap();
+    assert_eq!(net("left")["changes"][1], serde_json::json!([1, "5"]));
+    assert_eq!(net("nearer")["changes"][1], serde_json::json!([5, "5"]));
+    let source = net("decided1")["source"].as_str().unwrap();
+    assert!(source.starts_with("rtl/src/merger/") && source.contains(".rs:"), "{source}");
+    assert!(
+        data["diagram"].as_str().unwrap().starts_with("<svg ") && data["wave"].as_str().unwrap().starts_with("<svg ")
+    );
+    assert_eq!(served.stop("INT").code, Some(0));
+
+    // One with several clocks, of which none is called `clk`.
+    let served = Served::start(&Folder::new(), "gfb-unit");
+    let times = served.data("block").1["times"].as_array().unwrap().len();
+    assert!(times > 100, "{times}");
+    assert_eq!(served.stop("INT").code, Some(0));
+}
+
 #[test]
 fn a_machine_that_cannot_draw_says_why() {
     let served = Served::start(&Folder::new(), "molecule --size 16x12 --quiet");
@@ -145,7 +169,10 @@ fn wrong_use_ends_in_a_sentence() {
     let cases = [
         (format!("star --port {port}"), format!("port {port} is in use: leave out --port, or give another one")),
         ("star --port 0".to_owned(), "give a whole number from 1 to 65535".to_owned()),
-        ("stat".to_owned(), "did you mean".to_owned()),
+        ("stat".to_owned(), "there is no scene and no block `stat`: did you mean `star`?".to_owned()),
+        ("fifo --machine vc1".to_owned(), "--machine is an option for a scene, and fifo is a block".to_owned()),
+        ("star --set depth=8".to_owned(), "--set is an option for a block, and star is a scene".to_owned()),
+        ("fifo --set dept=8".to_owned(), "fifo has no parameter `dept`: did you mean `depth`?".to_owned()),
         (
             "star --machine vc1 --machine quadtree".to_owned(),
             "--machine quadtree is a second machine, and the page has all of them".to_owned(),
@@ -161,6 +188,15 @@ fn wrong_use_ends_in_a_sentence() {
         assert!(run.stderr.contains(&sentence), "{arguments}: {run:?}");
     }
     assert!(folder.names().is_empty(), "{:?}", folder.names());
+}
+
+/// No name means a scene and a block.
+#[test]
+fn scenes_and_blocks_have_different_names() {
+    let list = Folder::new().json("list --json");
+    let names = |of: &str| list[of].as_array().unwrap().iter().map(|it| it["name"].clone()).collect::<Vec<_>>();
+    let (scenes, blocks) = (names("scenes"), names("blocks"));
+    assert!(scenes.len() > 5 && blocks.len() > 50 && scenes.iter().all(|scene| !blocks.contains(scene)));
 }
 
 /// All files below a folder.

@@ -1,7 +1,7 @@
-//! A page in the browser that shows a frame coming into being.
+//! A page in the browser that shows a frame coming into being, or a block clock by clock.
 //!
 //! The page is plain HTML, CSS and JavaScript in `page/`. A [`Server`] answers for it on the loopback, and [`export::files`] gives the
-//! same page as files that open without a server. The crate knows no machine: a [`Site`] has the data.
+//! same page as files that open without a server. The crate knows no machine and no circuit: a [`Site`] has the data.
 
 mod connection;
 pub mod export;

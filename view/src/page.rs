@@ -5,12 +5,14 @@
 /// ```
 /// use tilewright_view::Page;
 ///
-/// assert_eq!(format!("{:?}", Page::Frame), "Frame");
+/// assert_ne!(Page::Frame, Page::Block);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Page {
     /// A frame coming into being.
     Frame,
+    /// A block, clock by clock.
+    Block,
 }
 
 /// The name of the page itself.
@@ -49,11 +51,12 @@ const FRAME: &[Asset] = &[
     asset!("frame.js", SCRIPT),
 ];
 
+const BLOCK: &[Asset] =
+    &[("index.html", HTML, include_str!("../page/block.html")), asset!("block.css", CSS), asset!("block.js", SCRIPT)];
+
 /// The files of a page, but for what it is about.
 pub(crate) fn files(page: Page) -> impl Iterator<Item = Asset> {
-    let own = match page {
-        Page::Frame => FRAME,
-    };
+    let own = if page == Page::Frame { FRAME } else { BLOCK };
     own.iter().chain(SHARED).copied()
 }
 
