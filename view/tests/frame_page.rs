@@ -130,6 +130,8 @@ fn machines_stand_side_by_side() {
     // The third says why it has no picture. That answer is also in the log.
     tab.until("document.querySelectorAll('.stage .bad').length === 1");
     assert_eq!(tab.text(".stage .bad"), "there are spheres");
+    let is_inside = "(it => it.getBoundingClientRect().bottom <= it.closest('.stage').getBoundingClientRect().bottom)";
+    assert_eq!(tab.value(&format!("{is_inside}(document.querySelector('.stage .bad'))")), true);
     assert_eq!(tab.complaints.len(), 1, "{:?}", tab.complaints);
     tab.complaints.clear();
 
