@@ -123,6 +123,26 @@
 //!
 //! Each input that a testbench sets takes 12 ns and 24 bytes.
 //!
+//! # Why a value is what it is
+//!
+//! [`Simulation::why`] gives the cause of a value: the registers and inputs that decided it, step by step back to where
+//! it came from. A choice counts its condition and its chosen side, and an AND that is 0 its zeros. A register counts
+//! what was written last, however long ago. Nothing has to be recorded beforehand: the simulation goes back for it.
+//!
+//! ```
+//! # use tilewright_sim::{Simulation, for_examples::Counter};
+//! let mut sim = Simulation::of(&Counter)?;
+//! sim.remember(64 << 20); // bytes
+//! sim.set(sim.i.enable, 1);
+//! sim.run(3);
+//! sim.set(sim.i.enable, 0);
+//! sim.run(1000);
+//! let cause = sim.why("count")?; // written last at the end of cycle 2
+//! assert_eq!((cause.cycle, cause.causes[1].name.as_str(), cause.causes[1].cycle), (3, "enable", 2));
+//! println!("{cause}"); // a line for each cause, with its place in the description
+//! # Ok::<(), tilewright_sim::Error>(())
+//! ```
+//!
 //! # Engines
 //!
 //! [`program::compile`] makes a flat [`program::Program`] of a design, and an engine runs it. The default is
@@ -191,9 +211,9 @@ pub use tilewright_hdl::{Bits, Bundle};
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
-    Answer, Batch, Checkpoint, CheckpointError, Condition, Covered, Error, Fst, IntoValue, Message, Messages, Monitor,
-    Pauses, Port, Probe, Process, Processes, Recorder, Simulation, StateDifference, Testbench, Trace, UnknownName,
-    Unremembered, Unrepeated, Vcd, Violation, Wave, WaveRadix, monitor,
+    Answer, Batch, Cause, Checkpoint, CheckpointError, Condition, Covered, End, Error, Fst, IntoValue, Limits, Message,
+    Messages, Monitor, Part, Pauses, Port, Probe, Process, Processes, Recorder, Simulation, StateDifference, Testbench,
+    Trace, UnknownName, Unremembered, Unrepeated, Vcd, Violation, Wave, WaveRadix, monitor,
 };
 #[doc(hidden)]
 pub use testbench::{Traced, example, for_examples, traced};

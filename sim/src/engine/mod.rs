@@ -2,7 +2,7 @@
 
 mod choice;
 mod compiled;
-mod explain;
+pub(crate) mod explain;
 mod fields;
 mod interpreter;
 mod lockstep;
@@ -12,7 +12,7 @@ pub mod program;
 mod reference;
 mod rewrite;
 mod saved;
-mod semantics;
+pub(crate) mod semantics;
 mod start;
 pub(crate) mod until;
 

@@ -2,6 +2,7 @@
 
 mod attach;
 mod batch;
+mod cause;
 mod checkpoint;
 mod condition;
 mod covers;
@@ -28,6 +29,7 @@ mod values;
 
 pub use attach::Probe;
 pub use batch::Batch;
+pub use cause::{Cause, End, Limits, Part};
 pub use checkpoint::{Checkpoint, CheckpointError, StateDifference};
 pub use condition::Condition;
 pub use covers::Covered;

@@ -8,8 +8,7 @@ use tilewright_hdl::ir::Design;
 
 use super::program::{Program, compile, flat, tidy};
 use super::{Passes, compiled, fields, pack};
-#[cfg(test)]
-pub(super) use operation::operation;
+pub(crate) use operation::operation;
 pub use pass::Pass;
 pub(super) use text::{Names, Text};
 

@@ -6,7 +6,7 @@ use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
 use crate::engine::program::{Axis, Kind, Lowered, ValueId};
 
 /// The operation of a value; `name` names values, `memory` memories.
-pub(in crate::engine) fn operation(
+pub(crate) fn operation(
     kind: &Kind,
     width: u32,
     name: &dyn Fn(ValueId) -> String,

@@ -183,7 +183,7 @@ impl Hierarchy {
     }
 
     /// Whether a lane of a scope's values is its own, not that of an instance beside it.
-    fn is_own(&self, place: Place) -> bool {
+    pub(crate) fn is_own(&self, place: Place) -> bool {
         let (mut scope, mut lane) = (self.scope(place.scope), place.lane);
         loop {
             if matches!(scope.replication, Replication::Sibling { index, of } if lane % of != index) {

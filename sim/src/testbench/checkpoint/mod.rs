@@ -35,7 +35,7 @@ use crate::testbench::timeline::Timeline;
 /// ```
 #[derive(Clone)]
 pub struct Checkpoint {
-    program: Arc<Program>,
+    pub(crate) program: Arc<Program>,
     pub(crate) saved: Saved,
     pub(crate) timeline: Timeline,
     /// For each clock: its reset is active, and since when.

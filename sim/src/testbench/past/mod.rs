@@ -5,6 +5,7 @@
 //! remembered changes happen again, up to the present.
 
 mod remembered;
+mod visits;
 
 use tilewright_hdl::Bundle;
 

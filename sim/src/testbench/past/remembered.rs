@@ -25,29 +25,31 @@ pub(crate) struct Past {
     /// The time of the next one.
     due: u64,
     /// The checkpoints, the earliest first.
-    points: Vec<Point>,
+    pub(super) points: Vec<Point>,
     /// The changes since the first checkpoint, in sequence, each with its time.
-    changes: Vec<(u64, Change)>,
+    pub(super) changes: Vec<(u64, Change)>,
     /// The bytes of those before the last checkpoint, and of those since.
     before: usize,
     recent: usize,
     /// The next change to make. In the present there is none.
-    next: usize,
+    pub(super) next: usize,
     /// The latest time that was reached.
     present: u64,
 }
 
 /// A checkpoint, the number of changes before it, and the bytes that it takes beside the point before.
-struct Point {
-    checkpoint: Checkpoint,
-    changes: usize,
-    bytes: usize,
+pub(super) struct Point {
+    pub checkpoint: Checkpoint,
+    pub changes: usize,
+    pub bytes: usize,
+    /// It is there only while somebody looks at many earlier times.
+    pub is_passing: bool,
 }
 
 impl Point {
     fn new(checkpoint: Checkpoint, changes: usize, before: Option<&Point>) -> Point {
         let bytes = checkpoint.saved.bytes_beside(before.map(|point| &point.checkpoint.saved));
-        Point { checkpoint, changes, bytes }
+        Point { checkpoint, changes, bytes, is_passing: false }
     }
 }
 
@@ -177,7 +179,7 @@ impl Past {
     }
 
     /// The last checkpoint up to this time.
-    fn before(&self, time: u64) -> Result<usize, Unremembered> {
+    pub(super) fn before(&self, time: u64) -> Result<usize, Unremembered> {
         let count = self.points.partition_point(|point| point.checkpoint.time() <= time);
         let earliest = self.points[0].checkpoint.time();
         count.checked_sub(1).ok_or(Unremembered::Forgotten { time, earliest })
@@ -221,7 +223,7 @@ impl Running {
 
     /// Makes the changes of this time in the past, and keeps a checkpoint in the present.
     #[cold]
-    fn catch_up(&mut self) {
+    pub(super) fn catch_up(&mut self) {
         let Some(mut past) = self.past.take() else { return };
         let now = self.timeline.time();
         while let Some((time, change)) = past.changes.get(past.next)

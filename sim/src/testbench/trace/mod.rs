@@ -5,7 +5,7 @@ mod dump;
 mod fst;
 pub(crate) mod glob;
 mod messages;
-mod radix;
+pub(crate) mod radix;
 mod recording;
 mod rows;
 mod shown;

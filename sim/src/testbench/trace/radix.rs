@@ -29,7 +29,7 @@ pub enum WaveRadix {
 
 /// A value as a row shows it: a code by its name, a signed number with its sign. Without a radix, unsigned numbers
 /// are hexadecimal and signed ones decimal.
-pub(super) fn text(value: &Bits, kind: Kind, radix: Option<WaveRadix>) -> String {
+pub(crate) fn text(value: &Bits, kind: Kind, radix: Option<WaveRadix>) -> String {
     match kind {
         Kind::Code(names) => {
             let name = value.to_u64().and_then(|value| names.name(value));

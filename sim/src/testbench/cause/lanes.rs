@@ -1,0 +1,88 @@
+//! The operands that decide some bits of an operation's result: the rules for operations across lanes and for reads of
+//! memories.
+
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::Reduction;
+
+use super::mask;
+use super::operation::{Asked, Demand, at_most};
+use crate::engine::program::{Axis, Kind, ValueId};
+
+/// What decides these bits.
+pub(super) fn demands(asked: &Asked, value: &mut dyn FnMut(ValueId, u32) -> Bits) -> Vec<Demand> {
+    let &Asked { circuit, cell, lane, bits } = asked;
+    let same = |of: ValueId, lane: u32| vec![Demand::data(of, lane, bits.clone())];
+    match &cell.kind {
+        Kind::Alias(of) => same(*of, lane),
+        Kind::Broadcast { of, axis } => same(*of, axis.split(lane).1),
+        Kind::Stack { parts, inner } => {
+            let (outer, within) = (lane / (parts.len() as u32 * inner), lane % (parts.len() as u32 * inner));
+            same(parts[(within / inner) as usize], outer * inner + within % inner)
+        }
+        Kind::Map { of, axis, count, index, edge } => {
+            let (number, rest) = Axis { count: *count, ..*axis }.split(lane);
+            match (index.source(number, axis.count), edge) {
+                (Some(from), _) => same(*of, axis.at(rest, from)),
+                (None, Some(edge)) => same(*edge, rest),
+                (None, None) => Vec::new(),
+            }
+        }
+        Kind::Interleave { parts, axis } => {
+            let k = parts.len() as u32;
+            let (number, rest) = Axis { count: axis.count * k, ..*axis }.split(lane);
+            same(parts[(number % k) as usize], axis.at(rest, number / k))
+        }
+        Kind::Lane { of, axis, index } => same(*of, axis.at(lane, *index)),
+        Kind::Pick { of, axis, index } => {
+            let number = at_most(&value(*index, lane), axis.count);
+            let mut all = vec![Demand::control(*index, lane, mask::all(circuit[*index].width))];
+            if number < axis.count {
+                all.extend(same(*of, axis.at(lane, number)));
+            }
+            all
+        }
+        Kind::Reduce { by, of, axis } => reduced(*by, asked, *of, *axis, value),
+        Kind::Pack { of, axis } => {
+            let width = circuit[*of].width;
+            let part = |number: u32| bits.slice(number * width..(number + 1) * width);
+            (0..axis.count).map(|number| Demand::data(*of, axis.at(lane, number), part(number))).collect()
+        }
+        Kind::Unpack { of, axis } => {
+            let (number, rest) = axis.split(lane);
+            vec![Demand::data(*of, rest, mask::placed(bits, circuit[*of].width, number * cell.width))]
+        }
+        // The word itself is added where memories are known.
+        Kind::Read { address, .. } => vec![Demand::control(*address, lane, mask::all(circuit[*address].width))],
+        _ => unreachable!("no operation of a program across lanes: {cell:?}"),
+    }
+}
+
+/// Of an AND of all lanes, for each bit that is 0 a lane in which it is, and for an OR the same with 1.
+fn reduced(
+    by: Reduction,
+    asked: &Asked,
+    of: ValueId,
+    axis: Axis,
+    value: &mut dyn FnMut(ValueId, u32) -> Bits,
+) -> Vec<Demand> {
+    let &Asked { lane, bits, .. } = asked;
+    let lanes = (0..axis.count).map(|number| axis.at(lane, number));
+    let each = |bits: Bits| lanes.clone().map(|lane| Demand::data(of, lane, bits.clone())).collect::<Vec<_>>();
+    let deciding = match by {
+        Reduction::And => 0,
+        Reduction::Or => 1,
+        Reduction::Xor => return each(bits.clone()),
+        Reduction::Add => return each(mask::up_to_highest(bits, bits.width())),
+        Reduction::Min | Reduction::Max => return each(mask::all(bits.width())),
+    };
+    let (mut undecided, mut all) = (bits.clone(), Vec::new());
+    for lane in lanes.clone() {
+        let here = value(of, lane);
+        let here = mask::and(&undecided, &if deciding == 1 { here } else { here.not() });
+        undecided = mask::and(&undecided, &here.not());
+        all.push(Demand::data(of, lane, here));
+    }
+    // A bit that no lane decides is as it is because of all.
+    all.iter_mut().for_each(|demand| demand.bits = mask::or(&demand.bits, &undecided));
+    all
+}

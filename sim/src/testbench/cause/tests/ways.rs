@@ -1,0 +1,152 @@
+//! Ways back through the clocks of small circuits.
+
+use tilewright_hdl::{Clock, Module, Period, ReadUnderWrite, bit, bits, block, def, mux};
+
+use crate::testbench::cause::{Cause, End, Limits};
+use crate::{EngineKind, Error, Simulation};
+
+block! {
+    /// Keeps what it is given under an address, and gives what was kept last.
+    struct Shelf;
+    in ShelfIn { put: bit(), at: bits(2), what: bits(8), latch: bit() }
+    out ShelfOut { seen: bits(8) }
+}
+
+impl Shelf {
+    fn build(&self, m: Module, i: ShelfIn) -> ShelfOut {
+        def!(shelf = m.memory(4, 8, ReadUnderWrite::Old).words([10, 11, 12, 13]));
+        shelf.write(i.put, i.at, i.what);
+        def!(place = m.reg(2).reset(1));
+        place.next(mux(i.latch, i.at, *place));
+        def!(seen = m.reg(8).reset(0));
+        seen.next(shelf.read_async(*place));
+        ShelfOut { seen: *seen }
+    }
+}
+
+/// The tree without places, a line each.
+fn lines(cause: &Cause) -> Vec<String> {
+    let text = cause.to_string();
+    let without_place = |line: &str| match line.split_once("  sim/src") {
+        Some((before, after)) => format!("{before}{}", after.find("  ").map_or("", |end| &after[end..])),
+        None => line.to_owned(),
+    };
+    text.lines().map(without_place).collect()
+}
+
+fn shelf(kind: EngineKind) -> Simulation<ShelfIn, ShelfOut> {
+    let mut sim = Simulation::of(&Shelf).unwrap().on(kind);
+    sim.remember_often(1 << 20, 50);
+    sim
+}
+
+#[test]
+fn a_word_comes_from_the_write_that_put_it_there() -> Result<(), Error> {
+    for kind in [EngineKind::Interpreter, EngineKind::Compiled] {
+        let mut sim = shelf(kind);
+        sim.run(3);
+        (sim.set(sim.i.put, 1), sim.set(sim.i.at, 2), sim.set(sim.i.what, 77));
+        sim.step();
+        (sim.set(sim.i.put, 0), sim.set(sim.i.what, 5));
+        sim.run(200);
+        sim.set(sim.i.latch, 1);
+        sim.step();
+        (sim.set(sim.i.latch, 0), sim.set(sim.i.at, 0));
+        sim.run(300);
+        let before = sim.checkpoint();
+        let cause = sim.why("seen")?;
+        let said = [
+            "seen = 77  cycle 505",
+            "  from shelf[2] = 77  cycle 4",
+            "    from what = 77  cycle 3  input",
+            "    when put = 1  cycle 3  input",
+            "    when at = 2  cycle 3  input",
+            "  when place = 2  cycle 205",
+            "    from at = 2  cycle 204  input",
+            "    when latch = 1  cycle 204  input",
+        ];
+        assert_eq!(lines(&cause), said);
+        assert!(sim.checkpoint() == before, "to ask changes nothing");
+        assert_eq!(cause.causes[0].causes[0].time, 30_000);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_reset_the_testbench_and_the_start_are_where_it_ends() -> Result<(), Error> {
+    let mut sim = shelf(EngineKind::Interpreter);
+    sim.run(70);
+    let start = sim.why("seen")?;
+    assert_eq!(
+        lines(&start)[1..],
+        ["  from shelf[1] = 11  cycle 0  from the start", "  when place = 1  cycle 0  from the start"]
+    );
+    sim.reset();
+    sim.poke_memory("shelf", 1, 99)?;
+    sim.run(5);
+    let cause = sim.why("seen")?;
+    let ends = ["  from shelf[1] = 99  cycle 71  set by the testbench", "  when place = 1  cycle 71  by reset"];
+    assert_eq!(lines(&cause)[1..], ends);
+    assert_eq!(lines(&sim.why("shelf[3]")?), ["shelf[3] = 13  cycle 0  from the start"]);
+    Ok(())
+}
+
+#[test]
+fn what_kept_a_state_is_told_on_demand() -> Result<(), Error> {
+    let mut sim = shelf(EngineKind::Interpreter);
+    sim.run(2);
+    let limits = Limits { kept: true, ..Limits::default() };
+    let said =
+        ["place = 1  cycle 0  from the start", "  when latch = 0  cycle 1  input", "  when latch = 0  cycle 0  input"];
+    assert_eq!(lines(&sim.why_within("place", &limits)?), said);
+    Ok(())
+}
+
+#[test]
+fn limits_end_the_tree_and_say_so() -> Result<(), Error> {
+    let mut sim = shelf(EngineKind::Interpreter);
+    sim.run(9);
+    let cause = sim.why_within("seen", &Limits { depth: 1, ..Limits::default() })?;
+    assert!(cause.causes.iter().all(|cause| cause.causes.is_empty()));
+    assert_eq!(cause.notes(), ["the limits cut the tree: give `why_within` larger ones to see all"]);
+    let unknown = sim.why("sean").unwrap_err().to_string();
+    assert_eq!(unknown, "there is no signal `sean`: did you mean `seen`?");
+    Ok(())
+}
+
+const SLOW: Clock = Clock::new("slow", Period::ns(30));
+
+block! {
+    /// Takes a value from a slow clock to a fast one.
+    struct Across;
+    in AcrossIn { x: bits(4) }
+    out AcrossOut { late: bits(4) }
+}
+
+impl Across {
+    fn build(&self, m: Module, i: AcrossIn) -> AcrossOut {
+        let early = m.on(SLOW).pipe("early", i.x.quasi_static("a test"));
+        AcrossOut { late: m.pipe("late", early.quasi_static("a test")) }
+    }
+}
+
+#[test]
+fn each_step_has_the_cycle_of_its_own_clock() -> Result<(), Error> {
+    let mut sim = Simulation::of(&Across)?;
+    sim.remember(1 << 20);
+    for x in 0..12 {
+        sim.set(sim.i.x, x);
+        sim.step();
+    }
+    let cause = sim.why(sim.o.late)?;
+    let told =
+        cause.iter().map(|cause| (cause.name.clone(), cause.number(), cause.clock.clone().unwrap(), cause.cycle));
+    let told: Vec<_> = told.collect();
+    let step =
+        |name: &str, number: &str, clock: &str, cycle| (name.to_owned(), number.to_owned(), clock.to_owned(), cycle);
+    // The edge of both at 120 ns takes what the slow one had since 90 ns.
+    assert_eq!(told[0], step("late", "8", "clk", 12));
+    assert_eq!(told[1], step("early", "8", "slow", 3));
+    assert_eq!((told[2].0.as_str(), cause.causes[0].causes[0].end), ("x", Some(End::Input)));
+    Ok(())
+}
