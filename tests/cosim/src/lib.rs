@@ -9,6 +9,7 @@
 //! - [`features`]: what of the language a random design uses;
 //! - [`reduce`]: a circuit that fails made smaller, node by node;
 //! - [`fuzz`]: random designs and random edits of them, on both engines;
+//! - [`causes`]: what is no cause of a value, forced, and the cause, forced;
 //! - [`many`]: several stimuli of a random design at once;
 //! - [`mutation`]: small edits of the blocks, which their own tests have to find;
 //! - [`check`]: one design through all tools, for the blocks of the catalogue;
@@ -18,6 +19,7 @@ pub mod batch;
 pub mod board;
 pub mod build;
 pub mod campaign;
+pub mod causes;
 pub mod check;
 pub mod drawn;
 mod dump;

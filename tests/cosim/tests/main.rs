@@ -3,6 +3,7 @@
 mod blocks;
 mod border;
 mod campaign;
+mod causes;
 mod edges;
 mod fst;
 mod matrix;
