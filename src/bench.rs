@@ -47,8 +47,8 @@ Examples:
   tilewright bench --seconds 0.1
   tilewright bench 'qt1*16' --seconds 0.1
   tilewright bench pim64 simd64 --rounds 3 --seconds 0.1 --json
-  tilewright bench qt1 --against verilator --seconds 0.1
-  tilewright bench pxpl16 --against verilator --verilog pxpl_planes --seconds 0.1
+  tilewright bench core1 --against verilator --seconds 0.1
+  tilewright bench qt1 --against verilator --verilog qt --seconds 0.1 --json
 
 The designs, with a size for N:
 {}

@@ -2,6 +2,7 @@
 
 use crate::cli::harness::{Folder, Run};
 use serde_json::Value;
+use std::sync::OnceLock;
 use tilewright_benches::{Subject, reset};
 use tilewright_gen::tools::skipped;
 use tilewright_sim::{EngineKind, Simulation};
@@ -32,6 +33,15 @@ fn the_report_has_every_design_and_its_checksum() {
     }
 }
 
+/// The help's example of one rival.
+const ONE_RIVAL: &str = "bench qt1 --against verilator --verilog qt --seconds 0.1 --json";
+
+/// A command of the help texts, if its run is here. It is run once for all tests: Verilator's model takes long to build.
+pub fn example(arguments: &str) -> Option<Run> {
+    static RUN: OnceLock<Run> = OnceLock::new();
+    (arguments == ONE_RIVAL).then(|| RUN.get_or_init(|| Folder::new().run(ONE_RIVAL)).clone())
+}
+
 #[test]
 fn one_rival_can_be_asked_for_by_its_verilog() {
     let folder = Folder::new();
@@ -41,7 +51,7 @@ fn one_rival_can_be_asked_for_by_its_verilog() {
     assert_eq!(run.stderr, sentence);
     assert_eq!(folder.run("bench pxpl8 --verilog pxpl").code, Some(2), "there is nothing to build it with");
 
-    let run = folder.run("bench qt1 --against verilator --verilog qt --rounds 1 --seconds 0.001 --json");
+    let run = example(ONE_RIVAL).unwrap();
     if run.code == Some(4) {
         let _ = skipped(run.stderr.trim_end());
         return;

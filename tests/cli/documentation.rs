@@ -1,5 +1,6 @@
 //! Every command line that the help texts, the README and the page of commands show runs as it stands.
 
+use crate::cli::bench;
 use crate::cli::harness::{Folder, Run};
 use crate::cli::interruption::{send, start_command};
 use crate::cli::reproduce::made::made;
@@ -25,7 +26,7 @@ fn assert_runs(folder: &Folder, arguments: &str) {
         assert_serves(folder, arguments);
         return;
     }
-    let run = folder.shell(&format!("tilewright {arguments}"));
+    let run = bench::example(arguments).unwrap_or_else(|| folder.shell(&format!("tilewright {arguments}")));
     if run.code == Some(4) {
         let _ = skipped(&format!("{arguments}: {}", run.stderr.trim_end()));
         return;

@@ -15,7 +15,7 @@ pub const PYRAMID: &str = "v -1 0 -1\nv 1 0 -1\nv 0 0 1\nv 0 1.5 0\nf 1 2 4\nf 2
 pub struct Folder(TempDir);
 
 /// How a command ended.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Run {
     pub code: Option<i32>,
     pub stdout: String,

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, lit, when};
-use tilewright_sim::{EngineKind, Error, Passes, Simulation, Vcd};
+use tilewright_sim::{EngineKind, Error, Passes, Simulation, Trace, Vcd};
 
 bundle! {
     pub struct MixIn<T> { pub go: T, pub word: T, pub limit: T }
@@ -59,7 +59,7 @@ fn path(name: &str) -> PathBuf {
 
 /// The file of a run in which inputs and resets change now and then and an assertion fails; `vcd` selects what is
 /// traced.
-fn waves(kind: EngineKind, looks_after: u64, vcd: impl FnOnce(&Path) -> Vcd) -> Vec<u8> {
+fn waves(kind: EngineKind, looks_after: u64, vcd: impl FnOnce(&Path) -> Trace) -> Vec<u8> {
     let design = tilewright_hdl::elaborate(&Mix).unwrap();
     let passes = Passes { looks_after, ..Passes::default() };
     let mut sim = Simulation::with_passes(&design, &passes).unwrap().on(kind);
@@ -93,7 +93,7 @@ fn waves(kind: EngineKind, looks_after: u64, vcd: impl FnOnce(&Path) -> Vcd) -> 
 
 #[test]
 fn rows_give_the_file_that_steps_give() {
-    let choices: [fn(&Path) -> Vcd; 4] = [
+    let choices: [fn(&Path) -> Trace; 4] = [
         |file| Vcd::to(file),
         |file| Vcd::to(file).only("wide").only("phase").only("part1*"),
         |file| Vcd::to(file).times(1_234_567..9_876_543),

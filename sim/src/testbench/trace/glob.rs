@@ -3,6 +3,13 @@
 /// Whether `pattern` matches all of `path`: `*` stands for any characters but a dot, `**` for any characters. The
 /// time is proportional to the product of both lengths.
 pub(crate) fn matches(pattern: &str, path: &str) -> bool {
+    // Most names have no star, or begin otherwise: those take no table.
+    let plain = pattern.find('*').unwrap_or(pattern.len());
+    let (start, pattern) = pattern.split_at(plain);
+    let Some(path) = path.strip_prefix(start) else { return false };
+    if pattern.is_empty() {
+        return path.is_empty();
+    }
     let parts = parts(pattern);
     // For each `i`, whether the first `i` parts match the path so far.
     let mut reached = vec![false; parts.len() + 1];
