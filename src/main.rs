@@ -33,6 +33,7 @@ mod verilog;
 mod view;
 mod watch;
 mod wave;
+mod why;
 
 use clap::{Parser, Subcommand};
 use shell::{Exit, Failure, crash, interrupt, progress, terminal};
@@ -76,6 +77,7 @@ enum Command {
     Compare(compare::Compare),
     Golden(golden::Golden),
     Wave(wave::Wave),
+    Why(why::Why),
     View(view::View),
     Verilog(verilog::Verilog),
     Prove(prove::Prove),
@@ -98,6 +100,7 @@ impl Command {
             Command::Compare(it) => it.run(),
             Command::Golden(it) => it.run(),
             Command::Wave(it) => it.run(),
+            Command::Why(it) => it.run(),
             Command::View(it) => it.run(),
             Command::Verilog(it) => it.run(),
             Command::Prove(it) => it.run(),

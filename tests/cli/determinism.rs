@@ -2,12 +2,13 @@
 
 use crate::cli::harness::Folder;
 
-const LINES: [&str; 9] = [
+const LINES: [&str; 10] = [
     "render pyramid.obj --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",
     "render pyramid.obj --machine quadtree --size 16x12 --matrix 2x2 --form stack -o quadtree.png --vcd quadtree.vcd --json",
     "golden ter1k --size 64x48 -o golden.png",
     "golden textured --size 64x48 --deferred --samples 8 -o textured.png",
     "wave gfb-unit -o gfb.vcd --ascii",
+    "why gfb-unit --signal pixel_rgb --json",
     "verilog gfb-unit -o . --testbench",
     "diagram gfb-unit --depth 2 -o gfb.svg --ascii",
     "list --json",
@@ -23,7 +24,7 @@ fn two_runs_give_the_same_bytes_and_no_file_names_its_place() {
     }
     let names = folders[0].names();
     assert_eq!(names, folders[1].names());
-    assert_eq!(names.len(), 32, "{names:?}");
+    assert_eq!(names.len(), 33, "{names:?}");
     let workspace = env!("CARGO_MANIFEST_DIR");
     for name in &names {
         let [one, two] = [0, 1].map(|i| std::fs::read(folders[i].path(name)).unwrap());

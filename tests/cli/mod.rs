@@ -37,3 +37,4 @@ mod verilog;
 mod view;
 mod wave;
 mod wave_diff;
+mod why;

@@ -71,6 +71,10 @@ mod tests {
         let changed = sim.checkpoint().differences(&low);
         assert_eq!(changed[0].to_string(), "`u_sender.u_transmitter.line`: 1'h1, and 1'h0");
         assert_eq!(changed[1].to_string(), "`u_sender.u_transmitter.u_ticks.clock`: 4'h1, and 4'h0");
+
+        let from = &sim.why(sim.o.tx)?.causes[0];
+        assert_eq!(from.label(), "u_sender.u_transmitter.phase");
+        assert_eq!((from.number().as_str(), from.cycle), ("Stop", 301)); // since this cycle
         Ok(())
     }
 
