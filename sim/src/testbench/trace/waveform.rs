@@ -51,11 +51,29 @@ pub(crate) enum Window {
 }
 
 /// A waveform file in the Value Change Dump format: text that every viewer reads.
+///
+/// ```no_run
+/// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// sim.trace(Vcd::to("counter.vcd").only("count").cycles("clk", 100..200))?;
+/// sim.run(1000);
+/// sim.finish()?;
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug)]
 pub enum Vcd {}
 
 /// A waveform file in the Fast Signal Trace format of GTKWave: the same signals, values and times as in a VCD file, in
 /// a fraction of the size.
+///
+/// ```no_run
+/// # use tilewright_sim::{Fst, Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// sim.trace(Fst::to("counter.fst"))?;
+/// sim.run(1_000_000);
+/// sim.finish()?;
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug)]
 pub enum Fst {}
 
