@@ -45,13 +45,17 @@ fn a_word_comes_from_the_write_that_put_it_there() -> Result<(), Error> {
     for kind in [EngineKind::Interpreter, EngineKind::Compiled] {
         let mut sim = shelf(kind);
         sim.run(3);
-        (sim.set(sim.i.put, 1), sim.set(sim.i.at, 2), sim.set(sim.i.what, 77));
+        sim.set(sim.i.put, 1);
+        sim.set(sim.i.at, 2);
+        sim.set(sim.i.what, 77);
         sim.step();
-        (sim.set(sim.i.put, 0), sim.set(sim.i.what, 5));
+        sim.set(sim.i.put, 0);
+        sim.set(sim.i.what, 5);
         sim.run(200);
         sim.set(sim.i.latch, 1);
         sim.step();
-        (sim.set(sim.i.latch, 0), sim.set(sim.i.at, 0));
+        sim.set(sim.i.latch, 0);
+        sim.set(sim.i.at, 0);
         sim.run(300);
         let before = sim.checkpoint();
         let cause = sim.why("seen")?;
