@@ -125,8 +125,10 @@ impl Fst {
     /// # let other = folder.path().join("counter.vcd");
     /// sim.trace(Fst::to(&path))?;
     /// sim.trace(Vcd::to(&other))?; // the same again, as text
-    /// sim.set(sim.i.enable, 1);
-    /// sim.run(1000);
+    /// for clock in 0..10_000 {
+    ///     sim.set(sim.i.enable, clock % 64 == 0);
+    ///     sim.step();
+    /// }
     /// sim.finish()?;
     /// let bytes = |path| std::fs::metadata(path).unwrap().len();
     /// assert!(bytes(&other) > 5 * bytes(&path));
