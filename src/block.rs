@@ -8,7 +8,7 @@ use std::num::{IntErrorKind, ParseIntError};
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::ir::Clock;
 use tilewright_hdl::{Design, Reset, limbs_for};
-use tilewright_sim::{EngineKind, Simulation};
+use tilewright_sim::{EngineKind, Probe, Simulation};
 
 /// A block of the catalogue with parameters.
 #[derive(Args)]
@@ -125,6 +125,13 @@ pub fn simulation(design: &Design, engine: EngineKind) -> Result<Simulation, Fai
     let sim = Simulation::from_design(design)?.on(engine);
     tell_fallback(&sim);
     Ok(sim)
+}
+
+/// All ports of a simulation, as its waves show them: one with lanes lane by lane.
+pub fn ports(sim: &Simulation) -> Vec<Probe> {
+    let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
+    let ports = sim.program().inputs.iter().chain(&sim.program().outputs);
+    ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect()
 }
 
 /// Whether a design's memories are not too large for this computer.

@@ -1,5 +1,6 @@
 //! `tilewright verilog --equal-to`: a module written by hand is proved equal to a block, or a run shows a difference.
 
+use crate::block::ports;
 use crate::number::number;
 use crate::shell::{Exit, Failure, interrupt, progress, terminal};
 use clap::Args;
@@ -9,7 +10,7 @@ use std::path::PathBuf;
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::{Bits, Design};
 use tilewright_prove::{Difference, Equivalence, Stage, Value, Verdict};
-use tilewright_sim::{Probe, Simulation};
+use tilewright_sim::Simulation;
 
 /// What a block is compared with.
 #[derive(Args)]
@@ -146,12 +147,9 @@ fn resets(run: &Difference) -> String {
 /// The ports of the run, with the module's outputs behind those from which they differ.
 fn wave(design: &Design, run: &Difference) -> Result<String, Failure> {
     let mut sim = Simulation::from_design(design)?;
-    let program = sim.program();
-    let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
-    let probes = program.inputs.iter().chain(&program.outputs);
-    let probes: Vec<Probe> = probes.map(|port| Probe::Path(path(&port.name, port.lanes))).collect();
-    let lanes: BTreeMap<String, u32> = program.outputs.iter().map(|port| (port.name.clone(), port.lanes)).collect();
-    let mut wave = sim.record(probes);
+    let lanes: BTreeMap<String, u32> =
+        sim.program().outputs.iter().map(|port| (port.name.clone(), port.lanes)).collect();
+    let mut wave = sim.record(ports(&sim));
     // An assertion may fail in it, which does not matter here.
     match sim.replay(&run.recording) {
         Ok(()) | Err(tilewright_sim::Error::Violated(_)) => {}

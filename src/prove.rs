@@ -1,6 +1,6 @@
 //! `tilewright prove`: what a block states is proved, or a run shows that it does not hold.
 
-use crate::block::{BlockArguments, design};
+use crate::block::{BlockArguments, design, ports};
 use crate::number::number;
 use crate::shell::output::Waveform;
 use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
@@ -13,7 +13,7 @@ use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::ir::Directive;
 use tilewright_hdl::{Design, Period};
 use tilewright_prove::{Outcome, Proof, Prover, Run, Stage, Statement};
-use tilewright_sim::{Probe, Simulation};
+use tilewright_sim::Simulation;
 
 /// Proves a block's assertions, and searches runs that reach its covers
 #[derive(Args)]
@@ -135,14 +135,6 @@ impl Prove {
         }
         text.map_or(Ok(()), |text| terminal::print(&format!("\n{text}")))
     }
-}
-
-/// The ports, those with lanes lane by lane.
-fn ports(sim: &Simulation) -> Vec<Probe> {
-    let program = sim.program();
-    let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
-    let ports = program.inputs.iter().chain(&program.outputs);
-    ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect()
 }
 
 /// The exit code: a statement that fails counts more than one that is not settled. A cover of an inner block does not

@@ -1,6 +1,6 @@
 //! `tilewright wave`: a block's scenario as a waveform file, as text, or as a picture.
 
-use crate::block::{BlockArguments, design, simulation};
+use crate::block::{BlockArguments, design, ports, simulation};
 use crate::engine::EngineArguments;
 use crate::first_difference;
 use crate::names;
@@ -20,7 +20,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use tilewright_hdl::Scenario;
 use tilewright_hdl::catalog::{Entry, Values};
-use tilewright_sim::{Probe, Simulation, WaveRadix};
+use tilewright_sim::{Simulation, WaveRadix};
 
 /// Runs a block's scenario and shows it as a waveform, or compares two waveforms
 #[derive(Args)]
@@ -209,12 +209,7 @@ impl Wave {
         what: &str,
     ) -> Result<tilewright_sim::Wave, Failure> {
         check_length(sim, scenario, what)?;
-        let program = sim.program();
-        let ports = program.inputs.iter().chain(&program.outputs);
-        // A port with lanes is shown lane by lane.
-        let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
-        let probes: Vec<Probe> = ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect();
-        let wave = sim.record(probes);
+        let wave = sim.record(ports(sim));
         Ok(match self.radix {
             Some(radix) => wave.radix_of_all(radix.into()),
             None => wave,

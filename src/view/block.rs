@@ -2,7 +2,7 @@
 
 use super::Exported;
 use super::nets::{Net, sources, values};
-use crate::block::{design, simulation, values as parameters};
+use crate::block::{design, ports, simulation, values as parameters};
 use crate::player::{check_length, play};
 use crate::shell::{Failure, progress};
 use serde::Serialize;
@@ -13,7 +13,7 @@ use std::sync::Arc;
 use tilewright_gen::{DiagramOptions, diagram};
 use tilewright_hdl::catalog::Entry;
 use tilewright_scenes::SceneError;
-use tilewright_sim::{EngineKind, Probe, Simulation, Vcd};
+use tilewright_sim::{EngineKind, Simulation, Vcd};
 use tilewright_view::{Answer, Page, Site};
 
 /// The most clocks of a scenario that is shown.
@@ -69,13 +69,6 @@ impl BlockSite {
         let data = serde_json::to_vec(&data).expect("it has names for keys");
         Ok(BlockSite { about: about.to_string(), data: Arc::new(data) })
     }
-}
-
-/// All ports; one with lanes is shown lane by lane.
-fn ports(sim: &Simulation) -> Vec<Probe> {
-    let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
-    let ports = sim.program().inputs.iter().chain(&sim.program().outputs);
-    ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect()
 }
 
 /// The waveform of a run.
