@@ -10,8 +10,10 @@ mod random;
 mod run;
 mod threads;
 pub mod vc1;
+mod way;
 
 pub use error::Error;
 pub use history::{History, Lane, Recorder, Span, Write};
 pub use mean::Mean;
 pub use run::{Progress, Watch};
+pub use way::{Compared, Follower, Primitive, Step, Way};
