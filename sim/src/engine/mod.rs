@@ -14,6 +14,7 @@ mod rewrite;
 mod saved;
 pub(crate) mod semantics;
 mod start;
+mod strips;
 pub(crate) mod until;
 
 use std::cell::Cell;

@@ -1,9 +1,5 @@
 //! From a planned function to machine code.
 
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value, types};
-
-use super::builder::FunctionBuilder;
 use super::function::{Function, Sink};
 use super::layout::{Layout, Place, Words};
 use super::plan::Plan;
@@ -12,6 +8,7 @@ use super::sequence::Step;
 use super::strips::Strips;
 use super::versions::TableAt;
 use crate::engine::program::{Kind, Lowered, ValueId};
+use crate::engine::strips::{Builder, Comparison, Loop, Type, Value};
 
 /// A memory as code sees it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -96,13 +93,13 @@ impl Addresses {
 }
 
 /// Emits a function.
-pub(super) struct Emitter<'a, 'b, 'c> {
+pub(super) struct Emitter<'a, 'b> {
     pub(super) function: &'a Function,
     pub(super) plan: &'a Plan,
     pub(super) addresses: &'a Addresses,
     pub(super) memories: &'a [MemoryAt],
     pub(super) strips: &'a Strips,
-    pub(super) builder: &'c mut FunctionBuilder<'b>,
+    pub(super) builder: &'b mut Builder,
     pub(super) state: Value,
     /// The distance of the present unit's state from that of the first one.
     unit: Value,
@@ -118,14 +115,14 @@ pub(super) struct Emitter<'a, 'b, 'c> {
     changed: Vec<(ValueId, ValueId)>,
 }
 
-impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
+impl<'a, 'b> Emitter<'a, 'b> {
     pub fn new(
         function: &'a Function,
         plan: &'a Plan,
         addresses: &'a Addresses,
         memories: &'a [MemoryAt],
         strips: &'a Strips,
-        builder: &'c mut FunctionBuilder<'b>,
+        builder: &'b mut Builder,
         state: Value,
     ) -> Self {
         let fresh = function.circuit().len() as u32;
@@ -168,16 +165,16 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     /// The address of a memory.
     pub(super) fn memory_base(&mut self, memory: MemoryAt) -> Value {
         match memory.table {
-            None => self.builder.ins().iconst(types::I64, memory.address as i64),
-            Some(at) => self.builder.ins().load(types::I64, MemFlagsData::trusted(), self.unit, offset(at)),
+            None => self.builder.address(memory.address),
+            Some(at) => self.builder.load(Type::I64, self.unit, offset(at)),
         }
     }
 
     /// Notes a write to a memory.
     pub(super) fn note_write(&mut self) {
         if let Some(at) = self.wrote {
-            let one = self.builder.ins().iconst(types::I64, 1);
-            self.builder.ins().store(MemFlagsData::trusted(), one, self.state, offset(at));
+            let one = self.builder.constant(Type::I64, 1);
+            self.builder.store(one, self.state, offset(at));
         }
     }
 
@@ -330,15 +327,14 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     /// Copies an array, by vectors.
     fn copy(&mut self, from: Place, to: Place) {
         let vectors = (from.lanes as usize * from.bytes()).div_ceil(16);
-        let flags = MemFlagsData::trusted();
         let count = Count { limit: vectors as i64 * 16, step: 16, descends: false };
         self.count(count, &[], |emitter, at, _| {
             let [source, target] = [from, to].map(|place| {
                 let base = emitter.base(place);
-                emitter.builder.ins().iadd(base, at)
+                emitter.builder.add(base, at)
             });
-            let vector = emitter.builder.ins().load(types::I8X16, flags, source, offset(from.offset));
-            emitter.builder.ins().store(flags, vector, target, offset(to.offset));
+            let vector = emitter.builder.load(Type::I8X16, source, offset(from.offset));
+            emitter.builder.store(vector, target, offset(to.offset));
             Vec::new()
         });
     }
@@ -351,24 +347,15 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         start: &[Value],
         body: impl FnOnce(&mut Self, Value, Vec<Value>) -> Vec<Value>,
     ) -> Vec<Value> {
-        let (block, done) = (self.builder.create_block(), self.builder.create_block());
-        self.builder.append_block_param(block, types::I64);
-        let mut carried = Vec::with_capacity(start.len());
-        for &value in start {
-            let kind = self.builder.func.dfg.value_type(value);
-            carried.push(self.builder.append_block_param(block, kind));
-        }
-        let arguments = |first: Value, rest: &[Value]| -> Vec<BlockArg> {
-            [first].iter().chain(rest).map(|&value| BlockArg::from(value)).collect()
-        };
-        let first = count.start(self.builder);
-        self.builder.ins().jump(block, &arguments(first, start));
-        self.builder.switch_to_block(block);
-        let at = self.builder.block_params(block)[0];
-        let carried = body(self, at, carried);
-        let (next, more) = count.next(self.builder, at);
-        self.builder.ins().brif(more, block, &arguments(next, &carried), done, &[]);
-        self.builder.switch_to_block(done);
+        let start: Vec<Value> = [count.start(self.builder)].iter().chain(start).copied().collect();
+        let types: Vec<Type> = start.iter().map(|value| self.builder.type_of(*value)).collect();
+        let parameters: Vec<Value> = types.into_iter().map(|ty| self.builder.parameter(ty)).collect();
+        self.builder.open();
+        let carried = body(self, parameters[0], parameters[1..].to_vec());
+        let (next, more) = count.next(self.builder, parameters[0]);
+        let next = [next].iter().chain(&carried).copied().collect();
+        let (body, again) = (self.builder.close(), Some((more, next)));
+        self.builder.repeat(Loop { parameters, start, body, again, end: Vec::new(), results: Vec::new() });
         carried
     }
 }
@@ -383,19 +370,19 @@ pub(super) struct Count {
 
 impl Count {
     /// The first number.
-    pub fn start(self, b: &mut FunctionBuilder) -> Value {
+    pub fn start(self, b: &mut Builder) -> Value {
         let last = (self.limit - 1) / self.step * self.step;
-        b.ins().iconst(types::I64, if self.descends { last } else { 0 })
+        b.constant(Type::I64, if self.descends { last } else { 0 })
     }
 
     /// The number after one, and whether there is one.
-    pub fn next(self, b: &mut FunctionBuilder, at: Value) -> (Value, Value) {
+    pub fn next(self, b: &mut Builder, at: Value) -> (Value, Value) {
         if self.descends {
-            return (b.ins().iadd_imm_s(at, -self.step), at);
+            return (b.add_constant(at, -self.step), at);
         }
-        let next = b.ins().iadd_imm_s(at, self.step);
-        let limit = b.ins().iconst(types::I64, self.limit);
-        (next, b.ins().icmp(IntCC::UnsignedLessThan, next, limit))
+        let next = b.add_constant(at, self.step);
+        let limit = b.constant(Type::I64, self.limit);
+        (next, b.compare(Comparison::UnsignedLessThan, next, limit))
     }
 }
 

@@ -6,14 +6,14 @@ use std::sync::{Arc, OnceLock};
 
 use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;
-use cranelift_codegen::ir::{InstBuilder, UserFuncName, Value};
+use cranelift_codegen::ir::UserFuncName;
 use cranelift_codegen::isa::{OwnedTargetIsa, TargetIsa};
 
-use super::builder::{FunctionBuilder, POINTER, signature};
 use super::pages::CodePages;
-use super::scalar::Call;
 use super::shared::SharedCode;
 use super::target::{Unsupported, host};
+use super::translate::{signature, translate};
+use crate::engine::strips::{Builder, Kept, Program, Type, Value};
 
 /// A generated function: takes the addresses of the state and of scratch memory and a number, and returns a number.
 type Entry = unsafe extern "C" fn(*mut u8, u64, *mut u64) -> u64;
@@ -65,8 +65,8 @@ impl Code {
     }
 
     /// Tells a function that it calls this code.
-    pub fn is_called(self, b: &mut FunctionBuilder) {
-        b.stack_of_called = b.stack_of_called.max(self.stack);
+    pub fn is_called(self, b: &mut Builder) {
+        b.calls_code(self.stack);
     }
 
     /// Runs it on a stack of its own.
@@ -92,10 +92,10 @@ impl Code {
     }
 
     /// Emits a call of it in another function.
-    pub fn emit_call(self, b: &mut FunctionBuilder, state: Value, argument: Value) -> Value {
+    pub fn emit_call(self, b: &mut Builder, state: Value, argument: Value) -> Value {
         self.is_called(b);
         let scratch = b.scratch();
-        b.call(self.entry as usize, &[state, argument, scratch], true).expect("it gives a number")
+        b.call(self.entry as usize, &[state, argument, scratch])
     }
 }
 
@@ -113,7 +113,7 @@ pub(super) struct Jit {
     made: Vec<Arc<Made>>,
     shared: Arc<SharedCode>,
     /// The objects that functions refer to by address.
-    calls: Vec<Arc<Call>>,
+    kept: Kept,
     /// The most limbs of scratch memory that a function takes.
     pub scratch: usize,
 }
@@ -131,8 +131,8 @@ impl Jit {
 
     /// Prepares for a machine.
     pub fn on(target: OwnedTargetIsa) -> Jit {
-        let (made, calls, shared) = (Vec::new(), Vec::new(), Arc::default());
-        Jit { target, context: Context::new(), made, shared, calls, scratch: 0 }
+        let (made, kept, shared) = (Vec::new(), Kept::new(), Arc::default());
+        Jit { target, context: Context::new(), made, shared, kept, scratch: 0 }
     }
 
     /// Makes a function. `body` gets the builder in the entry block, the address of the state and the argument, and
@@ -141,7 +141,7 @@ impl Jit {
     /// # Panics
     ///
     /// There is no memory for code.
-    pub fn function(&mut self, body: impl FnOnce(&mut FunctionBuilder, Value, Value)) -> Code {
+    pub fn function(&mut self, body: impl FnOnce(&mut Builder, Value, Value)) -> Code {
         self.try_function(body).unwrap_or_else(|refused| panic!("{refused}"))
     }
 
@@ -149,33 +149,40 @@ impl Jit {
     /// argument.
     pub fn calling(&mut self, address: usize, number: i64) -> Code {
         self.function(|builder, state, argument| {
-            let number = builder.ins().iconst(POINTER, number);
-            let left = builder.call(address, &[number, state, argument], true).expect("it gives a number");
-            builder.ins().return_(&[left]);
+            let number = builder.constant(Type::ADDRESS, number);
+            let left = builder.call(address, &[number, state, argument]);
+            builder.give(left);
         })
     }
 
-    fn try_function(&mut self, body: impl FnOnce(&mut FunctionBuilder, Value, Value)) -> Result<Code, Unsupported> {
-        self.context.clear();
-        self.context.func.name = UserFuncName::user(0, 0);
-        self.context.func.signature = signature(self.target.default_call_conv(), 3, true);
-        let (mut builder, state, argument) = FunctionBuilder::new(&mut self.context.func);
+    fn try_function(&mut self, body: impl FnOnce(&mut Builder, Value, Value)) -> Result<Code, Unsupported> {
+        let mut builder = Builder::new();
+        let [state, argument, _] = Program::PARAMETERS;
         body(&mut builder, state, argument);
-        let FunctionBuilder { calls, most_scratch, stack_of_called, .. } = builder;
-        self.calls.extend(calls);
-        self.scratch = self.scratch.max(most_scratch);
+        let (program, kept) = builder.finish();
+        self.kept.extend(kept);
+        self.scratch = self.scratch.max(program.scratch);
         let (context, target) = (&mut self.context, &*self.target);
-        // What is made of a function changes it.
-        let origin = self.shared.is_shared().then(|| (context.func.stencil.clone(), stack_of_called));
-        let make = |context: &mut Context| made(context, target, stack_of_called);
-        let made = match origin {
-            Some(origin) => self.shared.find_or_make(origin, || make(context))?,
-            None => Arc::new(make(context)?),
+        let mut make = |program: &Program| {
+            begin(context, target);
+            translate(program, &mut context.func);
+            made(context, target, program.stack_of_called)
+        };
+        let made = match self.shared.is_shared() {
+            true => self.shared.find_or_make(program, make)?,
+            false => Arc::new(make(&program)?),
         };
         let code = made.code;
         self.made.push(made);
         Ok(code)
     }
+}
+
+/// Begins a function.
+fn begin(context: &mut Context, target: &dyn TargetIsa) {
+    context.clear();
+    context.func.name = UserFuncName::user(0, 0);
+    context.func.signature = signature(target.default_call_conv(), 3, true);
 }
 
 /// Makes the function of a context; `stack_of_called` is that of the functions that it calls.
@@ -205,9 +212,7 @@ impl std::fmt::Debug for Jit {
 pub(crate) fn unsupported() -> Option<Unsupported> {
     static REFUSED: OnceLock<Option<Unsupported>> = OnceLock::new();
     let try_one = || {
-        let returning = |b: &mut FunctionBuilder, _, argument| {
-            b.ins().return_(&[argument]);
-        };
+        let returning = |b: &mut Builder, _, argument| b.give(argument);
         Jit::new().and_then(|mut jit| jit.try_function(returning)).err()
     };
     REFUSED.get_or_init(try_one).clone()
@@ -215,19 +220,36 @@ pub(crate) fn unsupported() -> Option<Unsupported> {
 
 #[cfg(test)]
 mod tests {
-    use cranelift_codegen::ir::{MemFlagsData, StackSlotData, StackSlotKind, types};
+    use cranelift_codegen::cursor::{Cursor, FuncCursor};
+    use cranelift_codegen::ir::{
+        self, ExtFuncData, ExternalName, InstBuilder, LibCall, MemFlagsData, StackSlotData, StackSlotKind, types,
+    };
 
     use super::*;
+
+    /// A function of these instructions; they get the argument.
+    fn of_instructions(jit: &mut Jit, write: impl FnOnce(&mut FuncCursor, ir::Value)) -> Code {
+        begin(&mut jit.context, &*jit.target);
+        let func = &mut jit.context.func;
+        let block = func.dfg.make_block();
+        let [_, argument, _] = [(); 3].map(|()| func.dfg.append_block_param(block, types::I64));
+        let mut at = FuncCursor::new(func);
+        at.insert_block(block);
+        write(&mut at, argument);
+        let made = Arc::new(made(&mut jit.context, &*jit.target, 0).unwrap());
+        jit.made.push(made.clone());
+        made.code
+    }
 
     #[test]
     #[allow(unsafe_code, reason = "calls generated code")]
     fn a_function_reads_and_writes_the_state() {
         let mut jit = Jit::new().unwrap();
         let code = jit.function(|b, state, argument| {
-            let old = b.ins().load(types::I64, MemFlagsData::trusted(), state, 8);
-            let sum = b.ins().iadd(old, argument);
-            b.ins().store(MemFlagsData::trusted(), sum, state, 8);
-            b.ins().return_(&[old]);
+            let old = b.load(Type::I64, state, 8);
+            let sum = b.add(old, argument);
+            b.store(sum, state, 8);
+            b.give(old);
         });
         let mut state = [1u64, 40];
         // SAFETY: the code accesses only the second number of the state.
@@ -240,20 +262,19 @@ mod tests {
     fn a_function_with_a_large_frame_runs_on_a_stack_of_its_own() {
         const FRAME: u32 = 64 << 20;
         let mut jit = Jit::new().unwrap();
-        let inner = jit.function(|b, _, argument| {
-            let slot = StackSlotData::new(StackSlotKind::ExplicitSlot, FRAME, 3);
-            let slot = b.func.create_sized_stack_slot(slot);
-            let [low, high] = [0, FRAME as i32 - 8].map(|at| b.ins().stack_addr(types::I64, slot, at));
-            for at in [low, high] {
-                b.ins().store(MemFlagsData::trusted(), argument, at, 0);
+        let inner = of_instructions(&mut jit, |at, argument| {
+            let slot = at.func.create_sized_stack_slot(StackSlotData::new(StackSlotKind::ExplicitSlot, FRAME, 3));
+            let ends = [0, FRAME as i32 - 8].map(|offset| at.ins().stack_addr(types::I64, slot, offset));
+            for end in ends {
+                at.ins().store(MemFlagsData::trusted(), argument, end, 0);
             }
-            let [low, high] = [low, high].map(|at| b.ins().load(types::I64, MemFlagsData::trusted(), at, 0));
-            let sum = b.ins().iadd(low, high);
-            b.ins().return_(&[sum]);
+            let [low, high] = ends.map(|end| at.ins().load(types::I64, MemFlagsData::trusted(), end, 0));
+            let sum = at.ins().iadd(low, high);
+            at.ins().return_(&[sum]);
         });
         let outer = jit.function(|b, state, argument| {
             let sum = inner.emit_call(b, state, argument);
-            b.ins().return_(&[sum]);
+            b.give(sum);
         });
         assert!(inner.stack >= FRAME as usize && outer.stack >= inner.stack);
         for code in [inner, outer] {
@@ -265,17 +286,15 @@ mod tests {
     #[test]
     #[should_panic(expected = "refers to what nobody fills in")]
     fn code_that_needs_an_address_filled_in_is_refused() {
-        let mut jit = Jit::new().unwrap();
-        let _ = jit.function(|b, _, argument| {
+        let _ = of_instructions(&mut Jit::new().unwrap(), |at, argument| {
             // Some machines round by a function of the C library.
-            let signature = signature(b.func.signature.call_conv, 1, true);
-            let signature = b.func.import_signature(signature);
-            let name = cranelift_codegen::ir::ExternalName::LibCall(cranelift_codegen::ir::LibCall::Memcpy);
-            let data = cranelift_codegen::ir::ExtFuncData { name, signature, colocated: false, patchable: false };
-            let function = b.func.import_function(data);
-            let call = b.ins().call(function, &[argument]);
-            let result = b.func.dfg.inst_results(call)[0];
-            b.ins().return_(&[result]);
+            let signature = signature(at.func.signature.call_conv, 1, true);
+            let signature = at.func.import_signature(signature);
+            let name = ExternalName::LibCall(LibCall::Memcpy);
+            let function = at.func.import_function(ExtFuncData { name, signature, colocated: false, patchable: false });
+            let call = at.ins().call(function, &[argument]);
+            let result = at.func.dfg.inst_results(call)[0];
+            at.ins().return_(&[result]);
         });
     }
 }

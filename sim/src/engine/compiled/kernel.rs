@@ -5,7 +5,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cranelift_codegen::ir::{BlockCall, InstBuilder, JumpTableData, Value, types};
 use tilewright_hdl::ir::Reduction;
 
 use super::emitter::{Count, Emitter};
@@ -15,6 +14,7 @@ use super::plan::Kernel;
 use super::scalar::Scalar;
 use super::strip::Strip;
 use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
+use crate::engine::strips::Value;
 
 /// The sequence within a strip: cells, and after each the sinks that may run then.
 struct Order {
@@ -31,7 +31,7 @@ struct Sum {
     so_far: Option<Vector>,
 }
 
-impl Emitter<'_, '_, '_> {
+impl Emitter<'_, '_> {
     /// Runs a kernel, or a version of it.
     pub(super) fn kernel(&mut self, lanes: u32, kernel: &Kernel) {
         match kernel.versioned.filter(|_| !self.versions.is_empty()) {
@@ -48,32 +48,15 @@ impl Emitter<'_, '_, '_> {
         let Some(switch) = &kernel.switch else { return self.loops(lanes, kernel) };
         self.want(switch.subject);
         let subject = self.scalars.clean(self.builder, switch.subject)[0];
-        let done = self.builder.create_block();
-        let blocks: Vec<_> = switch.kernels.iter().map(|_| self.builder.create_block()).collect();
-        match (switch.table.as_slice(), blocks.as_slice()) {
-            (_, &[only]) => {
-                self.builder.ins().jump(only, &[]);
-            }
-            (&[zero, one], _) => {
-                self.builder.ins().brif(subject, blocks[one], &[], blocks[zero], &[]);
-            }
-            (table, _) => {
-                let pool = &mut self.builder.func.dfg.value_lists;
-                let calls: Vec<BlockCall> =
-                    table.iter().map(|&index| BlockCall::new(blocks[index], std::iter::empty(), pool)).collect();
-                let table = self.builder.create_jump_table(JumpTableData::new(calls[0], &calls));
-                let subject = self.builder.ins().ireduce(types::I32, subject);
-                self.builder.ins().br_table(subject, table);
-            }
-        }
-        for (kernel, block) in switch.kernels.iter().zip(blocks) {
-            self.builder.switch_to_block(block);
+        let mut regions = Vec::with_capacity(switch.kernels.len());
+        for kernel in &switch.kernels {
+            self.builder.open();
             let before = self.scalars.clone();
             self.kernel(lanes, kernel);
             self.scalars = before;
-            self.builder.ins().jump(done, &[]);
+            regions.push(self.builder.close());
         }
-        self.builder.switch_to_block(done);
+        self.builder.switch(subject, switch.table.clone(), regions);
     }
 
     /// Loops over the rows and strips of a kernel.

@@ -17,13 +17,12 @@ mod shift;
 #[cfg(test)]
 mod tests;
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::{InstBuilder, Value};
 use rustc_hash::FxHashMap;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Unary;
 
 use crate::engine::program::{Kind, ValueId};
+use crate::engine::strips::{Builder, Value};
 use emit::{low_mask, signed_constant, ty, vector_constant};
 pub(super) use form::Vector;
 use form::{Form, Need, Step, next};
@@ -112,19 +111,19 @@ impl Lanes {
 
     /// The same in every lane: `scalar` is a clean I64. Emits a vector for each element size; unused ones become no
     /// code. It is best called before the loop.
-    pub fn splat(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, scalar: Value) {
+    pub fn splat(&mut self, b: &mut Builder, id: ValueId, width: u32, scalar: Value) {
         let mut forms = Vec::new();
         let smallest = self.element(width);
         for element in ELEMENTS.into_iter().filter(|&element| element >= smallest) {
             let (number, form) = match width {
-                1 => (b.ins().ineg(scalar), Form::Mask),
+                1 => (b.neg(scalar), Form::Mask),
                 _ => (scalar, Form::Bits(width)),
             };
             let number = match element {
                 64 => number,
-                _ => b.ins().ireduce(ty(element).lane_type(), number),
+                _ => b.truncate(ty(element).of_lane(), number),
             };
-            let part = b.ins().splat(ty(element), number);
+            let part = b.splat(ty(element), number);
             forms.push(Vector { width, element, form, parts: vec![part; self.parts(element)], inverse: None });
         }
         self.insert(id, Entry { width, scalar: Some(scalar), forms, ..Entry::default() });
@@ -147,7 +146,7 @@ impl Lanes {
     }
 
     /// Emits `kind`, whose operands all have values.
-    pub fn evaluate(&mut self, b: &mut FunctionBuilder, result: ValueId, kind: &Kind, width: u32) {
+    pub fn evaluate(&mut self, b: &mut Builder, result: ValueId, kind: &Kind, width: u32) {
         let vector = match kind {
             Kind::Const(bits) => return self.constant(result, bits),
             Kind::Alias(of) => return self.copy(result, *of),
@@ -174,7 +173,7 @@ impl Lanes {
 
     /// A value in the canonical form of its width: a mask for 1 bit, otherwise numbers in the smallest element, with
     /// undefined bits above the width. For parameters of blocks, as around a loop.
-    pub fn carried(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Vector {
+    pub fn carried(&mut self, b: &mut Builder, id: ValueId) -> Vector {
         let width = self.width(id);
         let vector = self.number(b, id, self.element(width), Need::of(width));
         self.shape(width, vector.parts)
@@ -240,7 +239,7 @@ impl Lanes {
         self.insert(result, Entry { width, constant, forms, ..Entry::default() });
     }
 
-    fn extend(&mut self, b: &mut FunctionBuilder, result: ValueId, of: ValueId, signed: bool, width: u32) {
+    fn extend(&mut self, b: &mut Builder, result: ValueId, of: ValueId, signed: bool, width: u32) {
         let Entry { width: before, constant, scalar, .. } = self.values[&of];
         if let Some(constant) = constant {
             let constant = if signed { signed_constant(constant, before) & low_mask(width) } else { constant };
@@ -257,7 +256,7 @@ impl Lanes {
     }
 
     /// The same bits in every lane; loaded from the constant pool once.
-    fn bits(&mut self, b: &mut FunctionBuilder, element: u32, bits: u64) -> Value {
+    fn bits(&mut self, b: &mut Builder, element: u32, bits: u64) -> Value {
         let bits = bits & low_mask(element);
         if let Some(value) = self.constants.get(&(element, bits)) {
             return *value;
@@ -273,7 +272,7 @@ impl Lanes {
     }
 
     /// A known value as a vector.
-    fn known_vector(&mut self, b: &mut FunctionBuilder, width: u32, constant: u64, element: u32, need: Need) -> Vector {
+    fn known_vector(&mut self, b: &mut Builder, width: u32, constant: u64, element: u32, need: Need) -> Vector {
         let (bits, form) = match need {
             Need::Signed if constant >> (width - 1) & 1 == 1 => {
                 let bits = signed_constant(constant, width);

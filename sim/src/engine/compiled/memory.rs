@@ -1,16 +1,14 @@
 //! Words of memories, read and written by code.
 
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
-
 use super::emitter::{Emitter, MemoryAt, offset};
 use super::function::Sink;
 use super::lanes::Span;
 use super::scalar::{LONGEST, Scalar};
 use super::strip::Strip;
 use crate::engine::program::{Kind, ValueId};
+use crate::engine::strips::{Comparison, Region, Type, Value};
 
-impl Emitter<'_, '_, '_> {
+impl Emitter<'_, '_> {
     /// Reads a memory of one lane. Every address that the port can express has a word; those beyond the depth are zero.
     pub(super) fn read(&mut self, id: ValueId, memory: u32, address: ValueId) {
         let address = self.scalars.clean(self.builder, address)[0];
@@ -23,7 +21,7 @@ impl Emitter<'_, '_, '_> {
     /// The address of a word.
     fn word(&mut self, memory: MemoryAt, address: Value, base: Value) -> Value {
         let within = self.scaled(address, memory.words.address);
-        self.builder.ins().iadd(base, within)
+        self.builder.add(base, within)
     }
 
     /// Writes a word of a memory of one lane, if the port is enabled and the address is within the depth.
@@ -48,19 +46,17 @@ impl Emitter<'_, '_, '_> {
         if memory.is_full {
             return enabled;
         }
-        let depth = self.builder.ins().iconst(types::I64, i64::from(memory.depth));
-        let inside = self.builder.ins().icmp(IntCC::UnsignedLessThan, address, depth);
-        self.builder.ins().band(enabled, inside)
+        let depth = self.builder.constant(Type::I64, i64::from(memory.depth));
+        let inside = self.builder.compare(Comparison::UnsignedLessThan, address, depth);
+        self.builder.and(enabled, inside)
     }
 
     /// Runs `body` where a flag is 1.
     fn branch(&mut self, flag: Value, body: impl FnOnce(&mut Self)) {
-        let (taken, done) = (self.builder.create_block(), self.builder.create_block());
-        self.builder.ins().brif(flag, taken, &[], done, &[]);
-        self.builder.switch_to_block(taken);
+        self.builder.open();
         body(self);
-        self.builder.ins().jump(done, &[]);
-        self.builder.switch_to_block(done);
+        let taken = self.builder.close();
+        self.builder.branch(flag, taken, Region::new());
     }
 
     /// The address of the words at the address common to all lanes, and that address; to be called before the loop.
@@ -85,7 +81,7 @@ impl Emitter<'_, '_, '_> {
         let (start, number) = strip.words[&(memory, address)];
         let word = self.memories[memory as usize].words.word;
         let lanes = self.scaled(strip.first.expect("it has begun"), word);
-        let address = self.builder.ins().iadd(start, lanes);
+        let address = self.builder.add(start, lanes);
         (Span { storage: word as u32 * 8, address, offset: 0, aligned: true }, number)
     }
 
@@ -93,14 +89,14 @@ impl Emitter<'_, '_, '_> {
     pub(super) fn read_lanes_at(&mut self, strip: &mut Strip, id: ValueId, word: (u32, ValueId), from: ValueId) {
         let at = self.memories[word.0 as usize];
         let (start, _) = strip.words[&word];
-        let kind = Type::int(at.element() as u16).expect("an element is an integer");
+        let kind = Type::integer(at.element());
         let size = strip.size;
         let read = |lane| {
             let number = self.limbs(strip, from, lane)[0];
             let offset = self.scaled(number, at.words.word);
-            let address = self.builder.ins().iadd(start, offset);
-            let word = self.builder.ins().load(kind, MemFlagsData::trusted(), address, 0);
-            if at.width == 1 { self.builder.ins().band_imm_u(word, 1) } else { word }
+            let address = self.builder.add(start, offset);
+            let word = self.builder.load(kind, address, 0);
+            if at.width == 1 { self.builder.and_constant(word, 1) } else { word }
         };
         let lanes: Vec<Value> = (0..size).map(read).collect();
         strip.lanes.gather(self.builder, id, at.width, &lanes);
@@ -120,15 +116,15 @@ impl Emitter<'_, '_, '_> {
             let (base, offset) = self.lane_base(strip, at, lane);
             let word = self.word(at, number, base);
             if at.width <= 64 {
-                let kind = Type::int(at.element() as u16).expect("an element is an integer");
-                lanes.push(self.builder.ins().load(kind, MemFlagsData::trusted(), word, offset));
+                let kind = Type::integer(at.element());
+                lanes.push(self.builder.load(kind, word, offset));
             } else {
                 let loaded = Scalar::load(self.builder, at.width, word, offset);
                 strip.define_single(lane, id, loaded);
             }
         }
         if at.width == 1 {
-            lanes = lanes.into_iter().map(|lane| self.builder.ins().band_imm_u(lane, 1)).collect();
+            lanes = lanes.into_iter().map(|lane| self.builder.and_constant(lane, 1)).collect();
         }
         if at.width <= 64 {
             strip.lanes.gather(self.builder, id, at.width, &lanes);
@@ -142,14 +138,14 @@ impl Emitter<'_, '_, '_> {
             let lane = self.existing(strip, lane);
             let start = self.scaled(lane, memory.words.lane);
             let base = self.memory_base(memory);
-            return (self.builder.ins().iadd(start, base), 0);
+            return (self.builder.add(start, base), 0);
         }
         let base = match strip.memories.get(&memory.address) {
             Some(base) => *base,
             None => {
                 let start = self.scaled(strip.first.expect("it has begun"), memory.words.lane);
                 let base = self.memory_base(memory);
-                let base = self.builder.ins().iadd(start, base);
+                let base = self.builder.add(start, base);
                 strip.memories.insert(memory.address, base);
                 base
             }
@@ -194,25 +190,25 @@ impl Emitter<'_, '_, '_> {
             for lane in 0..strip.size {
                 let number = emitter.limbs(strip, address, lane)[0];
                 let enabled = strip.lanes.extract(emitter.builder, enable, lane);
-                let enabled = emitter.builder.ins().ireduce(types::I8, enabled);
+                let enabled = emitter.builder.truncate(Type::I8, enabled);
                 let go = emitter.inside(at, number, enabled);
                 // Without a branch, which would be hard to predict: a disabled lane writes to a place that nobody
                 // reads.
                 let (base, offset) = emitter.lane_base(strip, at, lane);
                 let within = emitter.scaled(number, at.words.address);
-                let nowhere = emitter.builder.ins().iconst(types::I64, at.words.nowhere as i64);
-                let within = emitter.builder.ins().select(go, within, nowhere);
-                let word = emitter.builder.ins().iadd(base, within);
+                let nowhere = emitter.builder.constant(Type::I64, at.words.nowhere as i64);
+                let within = emitter.builder.select(go, within, nowhere);
+                let word = emitter.builder.add(base, within);
                 if at.width > LONGEST {
                     emitter.store_long(strip, data, lane, word, offset);
                     continue;
                 }
                 let limbs = emitter.limbs(strip, data, lane);
-                let kind = Type::int(at.element() as u16).expect("an element is an integer");
+                let kind = Type::integer(at.element());
                 for (i, limb) in limbs.into_iter().enumerate() {
-                    let limb = if at.width == 1 { emitter.builder.ins().ineg(limb) } else { limb };
-                    let limb = if at.element() < 64 { emitter.builder.ins().ireduce(kind, limb) } else { limb };
-                    emitter.builder.ins().store(MemFlagsData::trusted(), limb, word, offset + 8 * i as i32);
+                    let limb = if at.width == 1 { emitter.builder.neg(limb) } else { limb };
+                    let limb = if at.element() < 64 { emitter.builder.truncate(kind, limb) } else { limb };
+                    emitter.builder.store(limb, word, offset + 8 * i as i32);
                 }
             }
             strip.lanes.forget(mark);

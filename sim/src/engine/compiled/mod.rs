@@ -7,7 +7,6 @@
 mod asserts;
 mod bank;
 mod branch;
-mod builder;
 mod demands;
 mod edge;
 mod emitter;
@@ -38,6 +37,7 @@ mod strip;
 mod strips;
 mod target;
 mod together;
+mod translate;
 mod units;
 mod until;
 mod versions;

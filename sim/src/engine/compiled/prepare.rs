@@ -1,9 +1,6 @@
 //! From functions to callable code.
 
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
-
 use super::Compiled;
-use super::builder::FunctionBuilder;
 use super::emitter::{self, Addresses, Emitter, MemoryAt};
 use super::function::{Function, Sink};
 use super::jit::Code;
@@ -16,6 +13,7 @@ use super::units::Guard;
 use super::versions::{TableAt, Versions};
 use crate::engine::Passes;
 use crate::engine::program::{Kind, ValueId};
+use crate::engine::strips::{Builder, Loop, Region, Type, Value};
 
 /// A function in sequence, and the places of its values.
 pub(super) struct Prepared {
@@ -33,18 +31,16 @@ pub(super) struct Prepared {
 }
 
 /// Makes all units run if another function executed the last edge, because only that one knows what it has seen.
-fn begin(b: &mut FunctionBuilder, state: Value, (latest, number): (usize, u64), parts: &[Prepared]) {
-    let (flags, latest) = (MemFlagsData::trusted(), emitter::offset(latest));
-    let number = b.ins().iconst(types::I64, number as i64);
-    let before = b.ins().load(types::I64, flags, state, latest);
-    let other = b.ins().bxor(before, number);
-    let (wakes, done) = (b.create_block(), b.create_block());
-    b.ins().brif(other, wakes, &[], done, &[]);
-    b.switch_to_block(wakes);
-    b.ins().store(flags, number, state, latest);
+fn begin(b: &mut Builder, state: Value, (latest, number): (usize, u64), parts: &[Prepared]) {
+    let latest = emitter::offset(latest);
+    let number = b.constant(Type::I64, number as i64);
+    let before = b.load(Type::I64, state, latest);
+    let other = b.xor(before, number);
+    b.open();
+    b.store(number, state, latest);
     parts.iter().flat_map(|part| &part.guards).for_each(|guard| guard.emit_wake(b, state));
-    b.ins().jump(done, &[]);
-    b.switch_to_block(done);
+    let wakes = b.close();
+    b.branch(other, wakes, Region::new());
 }
 
 /// The number of times that a function repeats.
@@ -83,13 +79,13 @@ impl Prepared {
         Versions::new(&self.function, &self.plan, &self.addresses, &self.versions)
     }
 
-    fn emitter<'a, 'b, 'c>(
+    fn emitter<'a, 'b>(
         &'a self,
         memories: &'a [MemoryAt],
         strips: &'a Strips,
-        builder: &'c mut FunctionBuilder<'b>,
+        builder: &'b mut Builder,
         state: Value,
-    ) -> Emitter<'a, 'b, 'c> {
+    ) -> Emitter<'a, 'b> {
         let emitter = Emitter::new(&self.function, &self.plan, &self.addresses, memories, strips, builder, state);
         emitter.with_versions(&self.versions)
     }
@@ -143,7 +139,7 @@ impl Compiled {
         let last = part.pieces.len() - 1;
         let piece = |(index, steps): (usize, &Vec<Step>)| {
             jit.function(|builder, state, argument| {
-                let unit = wrote.map(|wrote| (builder.ins().iadd(state, argument), wrote));
+                let unit = wrote.map(|wrote| (builder.add(state, argument), wrote));
                 let mut emitter = part.emitter(memories, strips, builder, state);
                 if let Some((unit, wrote)) = unit {
                     emitter = emitter.of_unit(unit, wrote);
@@ -151,10 +147,10 @@ impl Compiled {
                 emitter.steps(steps);
                 let held = if index == last { emitter.end() } else { None };
                 let held = match held {
-                    Some(held) => builder.ins().uextend(types::I64, held),
-                    None => builder.ins().iconst(types::I64, 1),
+                    Some(held) => builder.zero_extend(Type::I64, held),
+                    None => builder.constant(Type::I64, 1),
                 };
-                builder.ins().return_(&[held]);
+                builder.give(held);
             })
         };
         part.pieces.iter().enumerate().map(piece).collect()
@@ -176,16 +172,11 @@ impl Compiled {
         let memories = memories.as_slice();
         let (strips, unchecked) = (&self.layout.strips, self.unchecked);
         let code = self.jit.function(|builder, state, count| {
-            let body = builder.create_block();
-            let done = builder.create_block();
-            builder.append_block_param(body, types::I64);
-            builder.append_block_param(done, types::I64);
             if let Some((latest, number)) = number {
                 begin(builder, state, (latest, number), parts);
             }
-            builder.ins().jump(body, &[count.into()]);
-            builder.switch_to_block(body);
-            let left = builder.block_params(body)[0];
+            let [left, result] = [(); 2].map(|()| builder.parameter(Type::I64));
+            builder.open();
             // The registers that the previous part has changed.
             let mut changed = Vec::new();
             for (part, pieces) in parts.iter().zip(&pieces) {
@@ -203,7 +194,7 @@ impl Compiled {
                         let results = pieces.iter().map(|code| code.emit_call(builder, state, left));
                         let last = results.last().expect("there are pieces");
                         let holds = part.function.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_)));
-                        holds.then(|| builder.ins().ireduce(types::I8, last))
+                        holds.then(|| builder.truncate(Type::I8, last))
                     }
                 };
                 let mut held = held;
@@ -213,33 +204,29 @@ impl Compiled {
                     changed.clear();
                 }
                 for at in part.guards.iter().filter_map(|guard| guard.holds) {
-                    let of_unit = builder.ins().load(types::I8, MemFlagsData::trusted(), state, emitter::offset(at));
-                    held = Some(held.map_or(of_unit, |held| builder.ins().band(held, of_unit)));
+                    let of_unit = builder.load(Type::I8, state, emitter::offset(at));
+                    held = Some(held.map_or(of_unit, |held| builder.and(held, of_unit)));
                 }
                 if let Some(mut held) = held {
                     if !part.is_always_asked {
                         let at = emitter::offset(unchecked.offset);
-                        let unchecked = builder.ins().load(types::I8, MemFlagsData::trusted(), state, at);
-                        held = builder.ins().bor(held, unchecked);
+                        let unchecked = builder.load(Type::I8, state, at);
+                        held = builder.or(held, unchecked);
                     }
-                    let next = builder.create_block();
-                    builder.ins().brif(held, next, &[], done, &[left.into()]);
-                    builder.switch_to_block(next);
+                    builder.leave_unless(held, &[left]);
                 }
             }
-            match times {
+            let parameters = vec![left];
+            let (end, again) = match times {
                 Times::Argument => {
-                    let left = builder.ins().iadd_imm_s(left, -1);
-                    builder.ins().brif(left, body, &[left.into()], done, &[left.into()]);
+                    let left = builder.add_constant(left, -1);
+                    (left, Some((left, vec![left])))
                 }
-                Times::Once => {
-                    let left = builder.ins().iconst(types::I64, 0);
-                    builder.ins().jump(done, &[left.into()]);
-                }
-            }
-            builder.switch_to_block(done);
-            let left = builder.block_params(done)[0];
-            builder.ins().return_(&[left]);
+                Times::Once => (builder.constant(Type::I64, 0), None),
+            };
+            let (start, body, end, results) = (vec![count], builder.close(), vec![end], vec![result]);
+            builder.repeat(Loop { parameters, start, body, again, end, results });
+            builder.give(result);
         });
         self.memories = memories.to_vec();
         self.scratch.grow(self.jit.scratch * 8);

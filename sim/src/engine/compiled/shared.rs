@@ -4,19 +4,16 @@ use std::hash::{Hash, Hasher};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use cranelift_codegen::ir::function::FunctionStencil;
 use rustc_hash::{FxHashMap, FxHasher};
 
 use super::jit::Made;
 use super::target::Unsupported;
+use crate::engine::strips::Program;
 
-/// What code is made of: the function, and the bytes of stack that those which it calls take.
-pub(super) type Origin = (FunctionStencil, usize);
+/// The functions whose programs have one hash.
+type Alike = Vec<(Program, Arc<Made>)>;
 
-/// The functions whose origins have one hash.
-type Alike = Vec<(Origin, Arc<Made>)>;
-
-/// The functions of simulations of one circuit, by what they were made of.
+/// The functions of simulations of one circuit, by their programs.
 #[derive(Default)]
 pub(crate) struct SharedCode {
     /// There are several simulations. One alone makes nothing twice, and so keeps nothing here.
@@ -35,7 +32,7 @@ impl SharedCode {
         self.is_shared.load(Ordering::Relaxed)
     }
 
-    /// The code that has this origin, which `make` makes if nobody has. Simulations on several threads wait for each
+    /// The code of this program, which `make` makes if nobody has. Simulations on several threads wait for each
     /// other, as they mostly need the same functions.
     ///
     /// # Errors
@@ -43,19 +40,19 @@ impl SharedCode {
     /// Those of `make`.
     pub(super) fn find_or_make(
         &self,
-        origin: Origin,
-        make: impl FnOnce() -> Result<Made, Unsupported>,
+        program: Program,
+        make: impl FnOnce(&Program) -> Result<Made, Unsupported>,
     ) -> Result<Arc<Made>, Unsupported> {
         let mut hasher = FxHasher::default();
-        origin.hash(&mut hasher);
+        program.hash(&mut hasher);
         // A function is entered when it is complete, so a panic leaves nothing half done.
         let mut functions = self.functions.lock().unwrap_or_else(PoisonError::into_inner);
         let alike = functions.entry(hasher.finish()).or_default();
-        if let Some((_, made)) = alike.iter().find(|(other, _)| *other == origin) {
+        if let Some((_, made)) = alike.iter().find(|(other, _)| *other == program) {
             return Ok(made.clone());
         }
-        let made = Arc::new(make()?);
-        alike.push((origin, made.clone()));
+        let made = Arc::new(make(&program)?);
+        alike.push((program, made.clone()));
         Ok(made)
     }
 
@@ -68,16 +65,15 @@ impl SharedCode {
 
 #[cfg(test)]
 mod tests {
-    use cranelift_codegen::ir::InstBuilder;
-
     use super::super::jit::Jit;
     use super::*;
+    use crate::engine::strips::Type;
 
     /// Makes a function that returns this number.
     fn add_function(jit: &mut Jit, number: i64) {
         jit.function(|b, _, _| {
-            let number = b.ins().iconst(super::super::builder::POINTER, number);
-            b.ins().return_(&[number]);
+            let number = b.constant(Type::ADDRESS, number);
+            b.give(number);
         });
     }
 

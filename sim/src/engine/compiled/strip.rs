@@ -5,8 +5,6 @@ mod gather;
 
 use std::collections::HashMap;
 
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::ir::Reduction;
 
 use super::emitter::{Emitter, offset};
@@ -14,6 +12,7 @@ use super::lanes::{Lanes, Span, operator};
 use super::layout::Place;
 use super::scalar::{Scalar, Scalars};
 use crate::engine::program::{Kind, Lowered, ValueId};
+use crate::engine::strips::{Comparison, Type, Value};
 
 /// A strip while its code is emitted.
 #[derive(Debug)]
@@ -76,7 +75,7 @@ impl Strip {
     }
 }
 
-impl Emitter<'_, '_, '_> {
+impl Emitter<'_, '_> {
     /// Begins the strip at offset `within` of the row that starts at `start`.
     pub(super) fn enter(&mut self, strip: &mut Strip, start: Option<Value>, within: Value) {
         strip.singles = vec![Scalars::default(); strip.size as usize];
@@ -85,7 +84,7 @@ impl Emitter<'_, '_, '_> {
         strip.within = Some(within);
         strip.first = Some(match start {
             None => within,
-            Some(start) => self.builder.ins().iadd(start, within),
+            Some(start) => self.builder.add(start, within),
         });
     }
 
@@ -93,7 +92,7 @@ impl Emitter<'_, '_, '_> {
     pub(super) fn address(&mut self, place: Place, lane: Value) -> Value {
         let by = self.scaled(lane, place.bytes());
         let base = self.base(place);
-        self.builder.ins().iadd(base, by)
+        self.builder.add(base, by)
     }
 
     /// A number times a constant.
@@ -101,12 +100,12 @@ impl Emitter<'_, '_, '_> {
         match by {
             1 => number,
             _ if by.is_power_of_two() => {
-                let by = self.builder.ins().iconst(types::I64, i64::from(by.ilog2()));
-                self.builder.ins().ishl(number, by)
+                let by = self.builder.constant(Type::I64, i64::from(by.ilog2()));
+                self.builder.shl(number, by)
             }
             _ => {
-                let by = self.builder.ins().iconst(types::I64, by as i64);
-                self.builder.ins().imul(number, by)
+                let by = self.builder.constant(Type::I64, by as i64);
+                self.builder.mul(number, by)
             }
         }
     }
@@ -264,7 +263,7 @@ impl Emitter<'_, '_, '_> {
                 let (index, group) = (i64::from(*index), axis.count as usize);
                 self.collect(strip, id, *of, |emitter, lane| {
                     let start = emitter.scaled(lane, group);
-                    emitter.builder.ins().iadd_imm_s(start, index)
+                    emitter.builder.add_constant(start, index)
                 });
             }
             Kind::Lowered(Lowered::Slide { of, by }) => self.neighbour(strip, id, *of, *by),
@@ -300,12 +299,12 @@ impl Emitter<'_, '_, '_> {
 
     /// The number of a lane of the strip, or of the last existing lane.
     pub(super) fn existing(&mut self, strip: &Strip, lane: u32) -> Value {
-        let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
+        let at = self.builder.add_constant(strip.first.expect("it has begun"), i64::from(lane));
         if !strip.is_padded() {
             return at;
         }
-        let last = self.builder.ins().iconst(types::I64, i64::from(strip.total - 1));
-        self.builder.ins().umin(at, last)
+        let last = self.builder.constant(Type::I64, i64::from(strip.total - 1));
+        self.builder.min(at, last)
     }
 
     /// A row that is the same for all rows.
@@ -343,10 +342,10 @@ impl Emitter<'_, '_, '_> {
         }
         let (by, total) = (i64::from(by), i64::from(strip.total));
         self.collect(strip, id, of, |emitter, lane| {
-            let from = emitter.builder.ins().iadd_imm_s(lane, -by);
+            let from = emitter.builder.add_constant(lane, -by);
             // A lane before the first one becomes a number far beyond the last.
-            let limit = emitter.builder.ins().iconst(types::I64, total - 1);
-            emitter.builder.ins().umin(from, limit)
+            let limit = emitter.builder.constant(Type::I64, total - 1);
+            emitter.builder.min(from, limit)
         });
     }
 
@@ -356,22 +355,22 @@ impl Emitter<'_, '_, '_> {
         let (place, width) = (self.addresses.of(id), self.function.cell(id).width);
         for number in 0..strip.size {
             let lane = if strip.descends { strip.size - 1 - number } else { number };
-            let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
+            let at = self.builder.add_constant(strip.first.expect("it has begun"), i64::from(lane));
             // With one group, padding lanes add nothing to it.
             let (target, within) = match group == strip.total {
-                true => (self.builder.ins().iconst(types::I64, 0), at),
+                true => (self.builder.constant(Type::I64, 0), at),
                 false => {
                     let (target, within) = self.divided(at, strip.total, group);
                     // Groups that do not exist are placed after the last one.
-                    let behind = self.builder.ins().iconst(types::I64, i64::from(place.lanes));
-                    (if strip.is_padded() { self.builder.ins().umin(target, behind) } else { target }, within)
+                    let behind = self.builder.constant(Type::I64, i64::from(place.lanes));
+                    (if strip.is_padded() { self.builder.min(target, behind) } else { target }, within)
                 }
             };
             let at = self.address(place, target);
             let (before, both, first, all) = (self.id(), self.id(), self.id(), self.id());
             let first_within = if strip.descends { i64::from(group) - 1 } else { 0 };
-            let first_within = self.builder.ins().iconst(types::I64, first_within);
-            let is_first = self.builder.ins().icmp(IntCC::Equal, within, first_within);
+            let first_within = self.builder.constant(Type::I64, first_within);
+            let is_first = self.builder.compare(Comparison::Equal, within, first_within);
             let single = &mut strip.singles[lane as usize];
             let b = &mut *self.builder;
             single.load(b, before, width, place.integer(), at, offset(place.offset));
@@ -387,18 +386,18 @@ impl Emitter<'_, '_, '_> {
         // By a reciprocal, which is exact for lanes below 2 to the 20 in groups below that.
         const SHIFT: u32 = 40;
         let quotient = if group.is_power_of_two() {
-            let by = self.builder.ins().iconst(types::I64, i64::from(group.ilog2()));
-            self.builder.ins().ushr(lane, by)
+            let by = self.builder.constant(Type::I64, i64::from(group.ilog2()));
+            self.builder.shr(lane, by)
         } else if total < 1 << 19 {
             let reciprocal = (1u64 << SHIFT) / u64::from(group) + 1;
-            let scaled = self.builder.ins().imul_imm_s(lane, reciprocal as i64);
-            let by = self.builder.ins().iconst(types::I64, i64::from(SHIFT));
-            self.builder.ins().ushr(scaled, by)
+            let scaled = self.builder.mul_constant(lane, reciprocal as i64);
+            let by = self.builder.constant(Type::I64, i64::from(SHIFT));
+            self.builder.shr(scaled, by)
         } else {
-            let group = self.builder.ins().iconst(types::I64, i64::from(group));
-            self.builder.ins().udiv(lane, group)
+            let group = self.builder.constant(Type::I64, i64::from(group));
+            self.builder.div(lane, group)
         };
-        let start = self.builder.ins().imul_imm_s(quotient, i64::from(group));
-        (quotient, self.builder.ins().isub(lane, start))
+        let start = self.builder.mul_constant(quotient, i64::from(group));
+        (quotient, self.builder.sub(lane, start))
     }
 }

@@ -1,12 +1,11 @@
 //! Arrays in memory that are assembled: from scalars, from shorter arrays, or from the limbs of a value.
 
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, types};
-
 use super::emitter::{Emitter, offset};
 use super::layout::Place;
 use crate::engine::program::{Kind, ValueId};
+use crate::engine::strips::Type;
 
-impl Emitter<'_, '_, '_> {
+impl Emitter<'_, '_> {
     /// Stores scalars, or the lanes of shorter arrays, side by side; rows one after another; or the limbs of a value
     /// as lanes.
     pub(super) fn pack(&mut self, id: ValueId) {
@@ -50,10 +49,10 @@ impl Emitter<'_, '_, '_> {
 
     /// Copies an array with the same element size, in whole vectors, to the lanes of another one from `first` on.
     fn copy_row(&mut self, from: Place, to: Place, first: u32) {
-        let (base, flags) = (self.base(from), MemFlagsData::trusted());
+        let base = self.base(from);
         for at in (0..from.lanes as usize * from.bytes()).step_by(16) {
-            let vector = self.builder.ins().load(types::I8X16, flags, base, offset(from.offset + at));
-            self.builder.ins().store(flags, vector, self.state, offset(to.lane(first) + at));
+            let vector = self.builder.load(Type::I8X16, base, offset(from.offset + at));
+            self.builder.store(vector, self.state, offset(to.lane(first) + at));
         }
     }
 

@@ -12,8 +12,6 @@
 
 use std::collections::BTreeSet;
 
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, types};
 use rustc_hash::FxHashMap;
 
 use super::Compiled;
@@ -26,6 +24,7 @@ use super::plan::{Kernel, Plan};
 use super::store::Store;
 use crate::engine::Passes;
 use crate::engine::program::{Kind, ValueId};
+use crate::engine::strips::{Comparison, Type};
 
 /// The most bits of a key: one less than a number has, because 0 means no key.
 const KEY: u32 = 63;
@@ -138,50 +137,48 @@ fn singles(function: &Function, kernel: &Kernel) -> BTreeSet<ValueId> {
     singles
 }
 
-impl Emitter<'_, '_, '_> {
+impl Emitter<'_, '_> {
     /// Runs the version of a loop for the present subjects, if there is one; otherwise what `other` emits.
     pub(super) fn version_or(&mut self, index: usize, other: impl FnOnce(&mut Self)) {
-        let (plan, flags) = (self.plan, MemFlagsData::trusted());
+        let plan = self.plan;
         let TableAt { table, noted } = self.versions[index];
-        let mut key = self.builder.ins().iconst(types::I64, 0);
+        let mut key = self.builder.constant(Type::I64, 0);
         let mut bits = 0;
         for &subject in &plan.versioned[index].subjects {
             self.want(subject);
             let number = self.scalars.clean(self.builder, subject)[0];
-            let number = self.builder.ins().ishl_imm_u(number, i64::from(bits));
-            key = self.builder.ins().bor(key, number);
+            let number = self.builder.shl_constant(number, i64::from(bits));
+            key = self.builder.or(key, number);
             bits += self.function.cell(subject).width;
         }
-        let [found, missed, done] = [(); 3].map(|()| self.builder.create_block());
-        let spread = self.builder.ins().iconst(types::I64, SPREAD);
-        let spread = self.builder.ins().imul(key, spread);
-        let slot = self.builder.ins().ushr_imm_u(spread, i64::from(64 - SLOT));
-        let by = self.builder.ins().ishl_imm_u(slot, 4);
-        let entry = self.builder.ins().iadd(self.state, by);
-        let there = self.builder.ins().load(types::I64, flags, entry, offset(table.offset));
-        let sought = self.builder.ins().iadd_imm_s(key, 1);
-        let is_there = self.builder.ins().icmp(IntCC::Equal, there, sought);
-        self.builder.ins().brif(is_there, found, &[], missed, &[]);
+        let spread = self.builder.constant(Type::I64, SPREAD);
+        let spread = self.builder.mul(key, spread);
+        let slot = self.builder.shr_constant(spread, i64::from(64 - SLOT));
+        let by = self.builder.shl_constant(slot, 4);
+        let entry = self.builder.add(self.state, by);
+        let there = self.builder.load(Type::I64, entry, offset(table.offset));
+        let sought = self.builder.add_constant(key, 1);
+        let is_there = self.builder.compare(Comparison::Equal, there, sought);
 
-        self.builder.switch_to_block(found);
-        let code = self.builder.ins().load(types::I64, flags, entry, offset(table.lane(1)));
+        self.builder.open();
+        let code = self.builder.load(Type::I64, entry, offset(table.lane(1)));
         let (state, scratch) = (self.state, self.builder.scratch());
         self.builder.call_code(code, &[state, key, scratch], STACK);
-        self.builder.ins().jump(done, &[]);
+        let found = self.builder.close();
 
-        self.builder.switch_to_block(missed);
-        let count = self.builder.ins().load(types::I64, flags, state, offset(noted.offset));
-        let next = self.builder.ins().iadd_imm_s(count, 1);
-        self.builder.ins().store(flags, next, state, offset(noted.offset));
-        let at = self.builder.ins().band_imm_u(count, i64::from(NOTED - 1));
-        let at = self.builder.ins().ishl_imm_u(at, 3);
-        let at = self.builder.ins().iadd(state, at);
-        self.builder.ins().store(flags, key, at, offset(noted.lane(1)));
+        self.builder.open();
+        let count = self.builder.load(Type::I64, state, offset(noted.offset));
+        let next = self.builder.add_constant(count, 1);
+        self.builder.store(next, state, offset(noted.offset));
+        let at = self.builder.and_constant(count, i64::from(NOTED - 1));
+        let at = self.builder.shl_constant(at, 3);
+        let at = self.builder.add(state, at);
+        self.builder.store(key, at, offset(noted.lane(1)));
         let before = self.scalars.clone();
         other(self);
         self.scalars = before;
-        self.builder.ins().jump(done, &[]);
-        self.builder.switch_to_block(done);
+        let missed = self.builder.close();
+        self.builder.branch(is_there, found, missed);
     }
 }
 
@@ -327,7 +324,7 @@ impl Compiled {
         let (lanes, memories, strips) = (plan.versioned[number].lanes, &self.memories, &self.layout.strips);
         let code = self.jit.function(|builder, state, argument| {
             Emitter::new(function, plan, addresses, memories, strips, builder, state).kernel(lanes, &kernel);
-            builder.ins().return_(&[argument]);
+            builder.give(argument);
         });
         versions.forget(cells, sinks);
         if let Some(address) = code.address_within(STACK) {

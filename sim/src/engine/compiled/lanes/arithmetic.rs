@@ -1,17 +1,15 @@
 //! Operations on all bits of one or two operands.
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::ir::{Binary, Unary};
 
 use super::Lanes;
-use super::emit::{self, cast, low_mask, ty};
+use super::emit::{self, low_mask, ty};
 use super::form::{Form, Need, Vector};
 use crate::engine::program::ValueId;
+use crate::engine::strips::{Builder, Comparison, Type, Value};
 
 impl Lanes {
-    pub(super) fn unary(&mut self, b: &mut FunctionBuilder, op: Unary, a: ValueId) -> Vector {
+    pub(super) fn unary(&mut self, b: &mut Builder, op: Unary, a: ValueId) -> Vector {
         let width = self.width(a);
         match op {
             Unary::Not if width == 1 => {
@@ -22,7 +20,7 @@ impl Lanes {
             Unary::Not => {
                 let element = self.pick(self.element(width), &[(a, Need::Any)], 1);
                 let vector = self.number(b, a, element, Need::Any);
-                let parts = emit::map(&vector.parts, |part| b.ins().bnot(part));
+                let parts = emit::map(&vector.parts, |part| b.not(part));
                 let form = Form::signed(vector.form.signed_bits(element), element);
                 Vector { width, element, form, parts, inverse: None }
             }
@@ -37,7 +35,7 @@ impl Lanes {
                 let element = vector[0].element;
                 let zero = self.bits(b, element, 0);
                 if vector[0].form.bits(element) < element {
-                    let more = |part| b.ins().icmp(IntCC::SignedGreaterThan, part, zero);
+                    let more = |part| b.compare(Comparison::SignedGreaterThan, part, zero);
                     return self.mask_of(element, emit::map(&vector[0].parts, more));
                 }
                 let equal = self.mask_of(element, emit::map(&vector[0].parts, |part| emit::equal(b, part, zero)));
@@ -49,7 +47,7 @@ impl Lanes {
 
     /// Operands of one width in one element, so that equal numbers have equal bits; returns whether the sign fills
     /// the upper bits.
-    pub(super) fn exact(&mut self, b: &mut FunctionBuilder, operands: &[ValueId]) -> (Vec<Vector>, bool) {
+    pub(super) fn exact(&mut self, b: &mut Builder, operands: &[ValueId]) -> (Vec<Vector>, bool) {
         let least = self.element(self.width(operands[0]));
         let ways = super::ELEMENTS.into_iter().filter(|&element| element >= least);
         let ways = ways.flat_map(|element| [(element, Need::Clean), (element, Need::Signed)]);
@@ -67,17 +65,17 @@ impl Lanes {
     }
 
     /// The inverse of a mask; the original is remembered.
-    pub(super) fn not(&mut self, b: &mut FunctionBuilder, mask: Vector) -> Vector {
+    pub(super) fn not(&mut self, b: &mut Builder, mask: Vector) -> Vector {
         if let Some(inverse) = mask.inverse {
             return Vector { parts: inverse, inverse: None, ..mask };
         }
-        let parts = emit::map(&mask.parts, |part| b.ins().bnot(part));
+        let parts = emit::map(&mask.parts, |part| b.not(part));
         Vector { parts, inverse: Some(mask.parts), ..mask }
     }
 
     /// Bits are folded onto the topmost one by left shifts, which needs no mask. Bytes, whose shifts cross into
     /// neighbours, are folded onto the lowest one.
-    fn parity(&mut self, b: &mut FunctionBuilder, a: ValueId) -> Vector {
+    fn parity(&mut self, b: &mut Builder, a: ValueId) -> Vector {
         let width = self.width(a);
         let folds: Vec<u32> = (0..).map(|i| 1 << i).take_while(|&by| by < width).collect();
         let need = if width.is_power_of_two() { Need::Any } else { Need::Clean };
@@ -88,11 +86,11 @@ impl Lanes {
             for &by in folds.iter().rev() {
                 parts = emit::map(&parts, |part| {
                     let moved = emit::shift_dirty(b, part, element, false, by);
-                    b.ins().bxor(part, moved)
+                    b.xor(part, moved)
                 });
             }
             let parts = emit::map(&parts, |part| {
-                let lowest = b.ins().band(part, one);
+                let lowest = b.and(part, one);
                 emit::equal(b, lowest, one)
             });
             return self.mask_of(element, parts);
@@ -101,7 +99,7 @@ impl Lanes {
         for by in folds {
             parts = emit::map(&parts, |part| {
                 let moved = emit::shift_dirty(b, part, element, true, by);
-                b.ins().bxor(part, moved)
+                b.xor(part, moved)
             });
         }
         let parts = self.top_bits(b, element, &parts);
@@ -109,16 +107,16 @@ impl Lanes {
     }
 
     /// Masks of the topmost bits.
-    pub(super) fn top_bits(&mut self, b: &mut FunctionBuilder, element: u32, parts: &[Value]) -> Vec<Value> {
+    pub(super) fn top_bits(&mut self, b: &mut Builder, element: u32, parts: &[Value]) -> Vec<Value> {
         if matches!(element, 16 | 32) {
-            let down = b.ins().iconst(types::I64, i64::from(element - 1));
-            return emit::map(parts, |part| b.ins().sshr(part, down));
+            let down = b.constant(Type::I64, i64::from(element - 1));
+            return emit::map(parts, |part| b.sar(part, down));
         }
         let zero = self.bits(b, element, 0);
-        emit::map(parts, |part| b.ins().icmp(IntCC::SignedGreaterThan, zero, part))
+        emit::map(parts, |part| b.compare(Comparison::SignedGreaterThan, zero, part))
     }
 
-    pub(super) fn binary(&mut self, b: &mut FunctionBuilder, op: Binary, x: ValueId, y: ValueId, width: u32) -> Vector {
+    pub(super) fn binary(&mut self, b: &mut Builder, op: Binary, x: ValueId, y: ValueId, width: u32) -> Vector {
         if matches!(op, Binary::Mul | Binary::MulSigned) {
             return self.product(b, op == Binary::MulSigned, x, y, width);
         }
@@ -129,7 +127,7 @@ impl Lanes {
     }
 
     /// Combines two vectors of one width and element, masks for 1 bit.
-    pub(super) fn combined(&mut self, b: &mut FunctionBuilder, op: Binary, x: &Vector, y: &Vector) -> Vector {
+    pub(super) fn combined(&mut self, b: &mut Builder, op: Binary, x: &Vector, y: &Vector) -> Vector {
         let (width, element) = (x.width, x.element);
         if width == 1 {
             return self.logic(b, op, x, y);
@@ -137,23 +135,23 @@ impl Lanes {
         let (p, q) = (&x.parts, &y.parts);
         let signed = || x.form.signed_bits(element).max(y.form.signed_bits(element));
         let (parts, form) = match op {
-            Binary::And => (emit::map2(p, q, |p, q| b.ins().band(p, q)), x.form.and(y.form, element)),
-            Binary::Or => (emit::map2(p, q, |p, q| b.ins().bor(p, q)), x.form.or(y.form, element)),
-            Binary::Xor => (emit::map2(p, q, |p, q| b.ins().bxor(p, q)), x.form.or(y.form, element)),
+            Binary::And => (emit::map2(p, q, |p, q| b.and(p, q)), x.form.and(y.form, element)),
+            Binary::Or => (emit::map2(p, q, |p, q| b.or(p, q)), x.form.or(y.form, element)),
+            Binary::Xor => (emit::map2(p, q, |p, q| b.xor(p, q)), x.form.or(y.form, element)),
             Binary::Add => {
                 let form = match (x.form, y.form) {
                     (Form::Bits(p), Form::Bits(q)) => Form::Bits((p.max(q) + 1).min(element)),
                     _ => Form::signed(signed() + 1, element),
                 };
-                (emit::map2(p, q, |p, q| b.ins().iadd(p, q)), form)
+                (emit::map2(p, q, |p, q| b.add(p, q)), form)
             }
-            _ => (emit::map2(p, q, |p, q| b.ins().isub(p, q)), Form::signed(signed() + 1, element)),
+            _ => (emit::map2(p, q, |p, q| b.sub(p, q)), Form::signed(signed() + 1, element)),
         };
         Vector { width, element, form, parts, inverse: None }
     }
 
     /// Combines masks. If both are inverses, the result is computed from the originals.
-    fn logic(&mut self, b: &mut FunctionBuilder, op: Binary, x: &Vector, y: &Vector) -> Vector {
+    fn logic(&mut self, b: &mut Builder, op: Binary, x: &Vector, y: &Vector) -> Vector {
         let element = x.element;
         let opposite = match op {
             Binary::And => Binary::Or,
@@ -162,9 +160,9 @@ impl Lanes {
         };
         let mut emit = |op: Binary, p: &[Value], q: &[Value]| {
             emit::map2(p, q, |p, q| match op {
-                Binary::And => b.ins().band(p, q),
-                Binary::Or => b.ins().bor(p, q),
-                _ => b.ins().bxor(p, q),
+                Binary::And => b.and(p, q),
+                Binary::Or => b.or(p, q),
+                _ => b.xor(p, q),
             })
         };
         let (parts, inverted) = match (&x.inverse, &y.inverse) {
@@ -173,12 +171,12 @@ impl Lanes {
             (None, Some(q)) if opposite == Binary::Xor => (emit(op, &x.parts, q), true),
             // The inverse of an or with an inverse is one instruction, `pandn`.
             (Some(p), None) if op == Binary::Or => {
-                let not: Vec<Value> = emit::map(&y.parts, |part| b.ins().bnot(part));
-                (emit::map2(p, &not, |p, q| b.ins().band(p, q)), true)
+                let not: Vec<Value> = emit::map(&y.parts, |part| b.not(part));
+                (emit::map2(p, &not, |p, q| b.and(p, q)), true)
             }
             (None, Some(q)) if op == Binary::Or => {
-                let not: Vec<Value> = emit::map(&x.parts, |part| b.ins().bnot(part));
-                (emit::map2(q, &not, |p, q| b.ins().band(p, q)), true)
+                let not: Vec<Value> = emit::map(&x.parts, |part| b.not(part));
+                (emit::map2(q, &not, |p, q| b.and(p, q)), true)
             }
             _ => (emit(op, &x.parts, &y.parts), false),
         };
@@ -186,7 +184,7 @@ impl Lanes {
         if inverted { self.not(b, mask) } else { mask }
     }
 
-    fn product(&mut self, b: &mut FunctionBuilder, signed: bool, x: ValueId, y: ValueId, width: u32) -> Vector {
+    fn product(&mut self, b: &mut Builder, signed: bool, x: ValueId, y: ValueId, width: u32) -> Vector {
         let need = if signed { Need::Signed } else { Need::Clean };
         let element = self.element(width);
         let narrow = self.width(x).max(self.width(y)) <= 32;
@@ -208,47 +206,35 @@ impl Lanes {
     }
 
     /// 64-bit products of all 32-bit elements.
-    pub(super) fn long_product(
-        &mut self,
-        b: &mut FunctionBuilder,
-        signed: bool,
-        x: &[Value],
-        y: &[Value],
-    ) -> Vec<Value> {
+    pub(super) fn long_product(&mut self, b: &mut Builder, signed: bool, x: &[Value], y: &[Value]) -> Vec<Value> {
         let mut parts = Vec::new();
         for (&x, &y) in x.iter().zip(y) {
             // These pairs are one pattern; the widened values are never materialised.
-            let low = match signed {
-                true => [b.ins().swiden_low(x), b.ins().swiden_low(y)],
-                false => [b.ins().uwiden_low(x), b.ins().uwiden_low(y)],
-            };
-            let high = match signed {
-                true => [b.ins().swiden_high(x), b.ins().swiden_high(y)],
-                false => [b.ins().uwiden_high(x), b.ins().uwiden_high(y)],
-            };
-            parts.push(b.ins().imul(low[0], low[1]));
-            parts.push(b.ins().imul(high[0], high[1]));
+            let low = [x, y].map(|part| b.widen_low(signed, part));
+            let high = [x, y].map(|part| b.widen_high(signed, part));
+            parts.push(b.mul(low[0], low[1]));
+            parts.push(b.mul(high[0], high[1]));
         }
         parts
     }
 
     /// Products modulo the element size.
-    pub(super) fn multiplied(&mut self, b: &mut FunctionBuilder, x: &Vector, y: &Vector) -> Vec<Value> {
+    pub(super) fn multiplied(&mut self, b: &mut Builder, x: &Vector, y: &Vector) -> Vec<Value> {
         let element = x.element;
         if element != 8 {
-            return emit::map2(&x.parts, &y.parts, |x, y| b.ins().imul(x, y));
+            return emit::map2(&x.parts, &y.parts, |x, y| b.mul(x, y));
         }
         // Even and odd bytes separately, in 16-bit lanes.
         let (even, odd) = (self.bits(b, 16, 0x00ff), self.bits(b, 16, 0xff00));
         emit::map2(&x.parts, &y.parts, |x, y| {
-            let [x, y] = [x, y].map(|part| cast(b, part, types::I16X8));
-            let low = b.ins().imul(x, y);
-            let low = b.ins().band(low, even);
+            let [x, y] = [x, y].map(|part| b.cast(Type::I16X8, part));
+            let low = b.mul(x, y);
+            let low = b.and(low, even);
             let down = emit::shift_dirty(b, x, 16, false, 8);
-            let up = b.ins().band(y, odd);
-            let high = b.ins().imul(down, up);
-            let both = b.ins().bor(low, high);
-            cast(b, both, ty(8))
+            let up = b.and(y, odd);
+            let high = b.mul(down, up);
+            let both = b.or(low, high);
+            b.cast(ty(8), both)
         })
     }
 }

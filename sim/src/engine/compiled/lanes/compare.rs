@@ -1,19 +1,17 @@
 //! Comparisons, which result in masks.
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::InstBuilder;
-use cranelift_codegen::ir::condcodes::IntCC;
 use tilewright_hdl::ir::{Binary, Relation, Unary};
 
 use super::emit::{self, signed_constant};
 use super::form::{Form, Need, Vector};
 use super::{ELEMENTS, Lanes};
 use crate::engine::program::ValueId;
+use crate::engine::strips::{Builder, Comparison};
 
 impl Lanes {
     pub(super) fn compare(
         &mut self,
-        b: &mut FunctionBuilder,
+        b: &mut Builder,
         relation: Relation,
         signed: bool,
         x: ValueId,
@@ -35,14 +33,7 @@ impl Lanes {
     }
 
     /// As signed numbers, masks are 0 and -1; as unsigned ones, 1 is the larger.
-    fn compare_bits(
-        &mut self,
-        b: &mut FunctionBuilder,
-        relation: Relation,
-        signed: bool,
-        x: ValueId,
-        y: ValueId,
-    ) -> Vector {
+    fn compare_bits(&mut self, b: &mut Builder, relation: Relation, signed: bool, x: ValueId, y: ValueId) -> Vector {
         let element = self.pick(8, &[(x, Need::Signed), (y, Need::Signed)], 1);
         let [x, y] = [x, y].map(|id| self.number(b, id, element, Need::Signed));
         let (x, y) = if signed { (y, x) } else { (x, y) };
@@ -58,14 +49,14 @@ impl Lanes {
         if inverted { self.not(b, mask) } else { mask }
     }
 
-    fn equals(&mut self, b: &mut FunctionBuilder, x: ValueId, y: ValueId) -> Vector {
+    fn equals(&mut self, b: &mut Builder, x: ValueId, y: ValueId) -> Vector {
         let (vectors, _) = self.exact(b, &[x, y]);
         let parts = emit::map2(&vectors[0].parts, &vectors[1].parts, |x, y| emit::equal(b, x, y));
         self.mask_of(vectors[0].element, parts)
     }
 
     /// `x > y`: one instruction if it can be a signed comparison.
-    fn greater(&mut self, b: &mut FunctionBuilder, signed: bool, x: ValueId, y: ValueId) -> Vector {
+    fn greater(&mut self, b: &mut Builder, signed: bool, x: ValueId, y: ValueId) -> Vector {
         let width = self.width(x);
         let least = self.element(width);
         if signed {
@@ -83,28 +74,28 @@ impl Lanes {
                 true => self.top(b, id, element),
                 false => self.number(b, id, element, Need::Signed),
             });
-            let parts = emit::map2(&x.parts, &y.parts, |x, y| b.ins().icmp(IntCC::SignedGreaterThan, x, y));
+            let parts = emit::map2(&x.parts, &y.parts, |x, y| b.compare(Comparison::SignedGreaterThan, x, y));
             return self.mask_of(element, parts);
         }
         let element = self.pick(least, &[(x, Need::Clean), (y, Need::Clean)], 1);
         let [x, y] = [x, y].map(|id| self.number(b, id, element, Need::Clean));
         let (p, q) = (&x.parts, &y.parts);
         if x.form.bits(element).max(y.form.bits(element)) < element {
-            let parts = emit::map2(p, q, |x, y| b.ins().icmp(IntCC::SignedGreaterThan, x, y));
+            let parts = emit::map2(p, q, |x, y| b.compare(Comparison::SignedGreaterThan, x, y));
             return self.mask_of(element, parts);
         }
         if element == 64 {
-            let parts = emit::map2(p, q, |x, y| b.ins().icmp(IntCC::UnsignedGreaterThan, x, y));
+            let parts = emit::map2(p, q, |x, y| b.compare(Comparison::UnsignedGreaterThan, x, y));
             return self.mask_of(element, parts);
         }
         // A minimum and a comparison; the other way round would need an inversion too.
-        let parts = emit::map2(p, q, |x, y| b.ins().icmp(IntCC::UnsignedLessThanOrEqual, x, y));
+        let parts = emit::map2(p, q, |x, y| b.compare(Comparison::UnsignedLessThanOrEqual, x, y));
         let less = self.mask_of(element, parts);
         self.not(b, less)
     }
 
     /// The lanes in which a bit is 1.
-    pub(super) fn bit(&mut self, b: &mut FunctionBuilder, of: ValueId, index: u32) -> Vector {
+    pub(super) fn bit(&mut self, b: &mut Builder, of: ValueId, index: u32) -> Vector {
         let entry = &self.values[&of];
         let (width, smallest) = (entry.width, self.element(1));
         if let Some(constant) = entry.constant {
@@ -125,7 +116,7 @@ impl Lanes {
         }
         if from.form.bits(element) <= index + 1 {
             let most = self.bits(b, element, emit::low_mask(index + 1) >> 1);
-            let parts = emit::map(parts, |part| b.ins().icmp(IntCC::SignedGreaterThan, part, most));
+            let parts = emit::map(parts, |part| b.compare(Comparison::SignedGreaterThan, part, most));
             return self.mask_of(element, parts);
         }
         if matches!(element, 16 | 32) {
@@ -135,14 +126,14 @@ impl Lanes {
         }
         let bit = self.bits(b, element, 1 << index);
         let parts = emit::map(parts, |part| {
-            let alone = b.ins().band(part, bit);
+            let alone = b.and(part, bit);
             emit::equal(b, alone, bit)
         });
         self.mask_of(element, parts)
     }
 
     /// A known number as the operand of a comparison for equality.
-    pub(super) fn key(&mut self, b: &mut FunctionBuilder, of: &Vector, key: u64, signed: bool) -> Vector {
+    pub(super) fn key(&mut self, b: &mut Builder, of: &Vector, key: u64, signed: bool) -> Vector {
         let key = if signed { signed_constant(key, of.width) } else { key };
         let key = self.bits(b, of.element, key);
         let parts = emit::map(&of.parts, |part| emit::equal(b, part, key));

@@ -1,12 +1,10 @@
 //! Slices and concatenations.
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::{InstBuilder, types};
-
 use super::emit::{self, low_mask, ty};
 use super::form::{Form, Need, Vector};
 use super::{ELEMENTS, Lanes};
 use crate::engine::program::ValueId;
+use crate::engine::strips::{Builder, Type};
 
 /// A value within a concatenation.
 #[derive(Debug, Clone, Copy)]
@@ -17,7 +15,7 @@ struct Piece {
 }
 
 impl Lanes {
-    pub(super) fn slice(&mut self, b: &mut FunctionBuilder, of: ValueId, low: u32, width: u32) -> Vector {
+    pub(super) fn slice(&mut self, b: &mut Builder, of: ValueId, low: u32, width: u32) -> Vector {
         if width == 1 {
             return self.bit(b, of, low);
         }
@@ -35,8 +33,8 @@ impl Lanes {
         }
         let signed = from.form.signed_bits(from.element);
         if matches!(from.element, 16 | 32) && !matches!(from.form, Form::Bits(_)) && signed > low {
-            let by = b.ins().iconst(types::I64, i64::from(low));
-            let parts = emit::map(&from.parts, |part| b.ins().sshr(part, by));
+            let by = b.constant(Type::I64, i64::from(low));
+            let parts = emit::map(&from.parts, |part| b.sar(part, by));
             let form = Form::signed(signed - low, from.element);
             return Vector { width, form, parts, inverse: None, ..from };
         }
@@ -44,7 +42,7 @@ impl Lanes {
     }
 
     /// Zeros are shifted in, except in bytes.
-    pub(super) fn shifted_right(&mut self, b: &mut FunctionBuilder, from: &Vector, by: u32) -> Vector {
+    pub(super) fn shifted_right(&mut self, b: &mut Builder, from: &Vector, by: u32) -> Vector {
         let Vector { width, element, .. } = *from;
         if by == 0 {
             return Vector { inverse: None, ..from.clone() };
@@ -57,7 +55,7 @@ impl Lanes {
         Vector { width, element, form, parts, inverse: None }
     }
 
-    pub(super) fn shifted_left(&mut self, b: &mut FunctionBuilder, from: &Vector, by: u32) -> Vector {
+    pub(super) fn shifted_left(&mut self, b: &mut Builder, from: &Vector, by: u32) -> Vector {
         let Vector { width, element, form, .. } = *from;
         if by == 0 {
             return Vector { inverse: None, ..from.clone() };
@@ -66,13 +64,13 @@ impl Lanes {
         let crossing = element == 8 && form.bits(8) + by > 8;
         let kept = if crossing { Some(self.bits(b, 8, 0xff >> by)) } else { None };
         let parts = emit::map(&from.parts, |part| {
-            let part = kept.map_or(part, |kept| b.ins().band(part, kept));
+            let part = kept.map_or(part, |kept| b.and(part, kept));
             emit::shift_dirty(b, part, element, true, by)
         });
         Vector { width, element, form: form.up(by, element), parts, inverse: None }
     }
 
-    pub(super) fn concat(&mut self, b: &mut FunctionBuilder, parts: &[ValueId], width: u32) -> Vector {
+    pub(super) fn concat(&mut self, b: &mut Builder, parts: &[ValueId], width: u32) -> Vector {
         let mut low = 0;
         let mut pieces = Vec::new();
         for &id in parts.iter().rev() {
@@ -84,7 +82,7 @@ impl Lanes {
     }
 
     /// Pieces from the lowest up.
-    fn pieces(&mut self, b: &mut FunctionBuilder, pieces: &[Piece], width: u32) -> Vector {
+    fn pieces(&mut self, b: &mut Builder, pieces: &[Piece], width: u32) -> Vector {
         if width == 1 {
             let element = self.pick(8, &[(pieces[0].id, Need::Signed)], 0);
             return self.number(b, pieces[0].id, element, Need::Signed);
@@ -106,7 +104,7 @@ impl Lanes {
                 for (&low, &high) in low.parts.iter().zip(&high.parts) {
                     for upper in [false, true] {
                         let both = emit::interleave(b, low, high, half, upper);
-                        parts.push(emit::cast(b, both, ty(least)));
+                        parts.push(b.cast(ty(least), both));
                     }
                 }
                 let form = match high.form {
@@ -142,7 +140,7 @@ impl Lanes {
         cost
     }
 
-    fn pieces_at(&mut self, b: &mut FunctionBuilder, pieces: &[Piece], width: u32, element: u32) -> Vector {
+    fn pieces_at(&mut self, b: &mut Builder, pieces: &[Piece], width: u32, element: u32) -> Vector {
         let mut constant = 0;
         let mut sum: Option<Vector> = None;
         for (i, piece) in pieces.iter().enumerate() {
@@ -155,7 +153,7 @@ impl Lanes {
             let moved = match need {
                 Need::Signed => {
                     let bit = self.bits(b, element, 1 << piece.low);
-                    let parts = emit::map(&vector.parts, |part| b.ins().band(part, bit));
+                    let parts = emit::map(&vector.parts, |part| b.and(part, bit));
                     Vector { width, element, form: Form::Bits(piece.low + 1), parts, inverse: None }
                 }
                 _ => Vector { width, ..self.shifted_left(b, &vector, piece.low) },
@@ -174,12 +172,12 @@ impl Lanes {
         sum.map_or(known.clone(), |sum| self.either(b, &sum, &known))
     }
 
-    fn either(&mut self, b: &mut FunctionBuilder, x: &Vector, y: &Vector) -> Vector {
-        let parts = emit::map2(&x.parts, &y.parts, |x, y| b.ins().bor(x, y));
+    fn either(&mut self, b: &mut Builder, x: &Vector, y: &Vector) -> Vector {
+        let parts = emit::map2(&x.parts, &y.parts, |x, y| b.or(x, y));
         Vector { form: x.form.or(y.form, x.element), parts, inverse: None, ..*x }
     }
 
-    pub(super) fn repeat(&mut self, b: &mut FunctionBuilder, of: ValueId, times: u32, width: u32) -> Vector {
+    pub(super) fn repeat(&mut self, b: &mut Builder, of: ValueId, times: u32, width: u32) -> Vector {
         let single = self.width(of);
         if single == 1 {
             let element = self.pick(self.element(width), &[(of, Need::Signed)], 0);
@@ -191,7 +189,7 @@ impl Lanes {
             let number = self.number(b, of, least, Need::Clean);
             let factor = (0..times).fold(0, |factor, i| factor | 1 << (i * single));
             let factor = self.bits(b, least, factor);
-            let parts = emit::map(&number.parts, |part| b.ins().imul(part, factor));
+            let parts = emit::map(&number.parts, |part| b.mul(part, factor));
             let form = Form::Bits(width.min(number.form.bits(least) + width - single));
             return Vector { width, element: least, form, parts, inverse: None };
         }

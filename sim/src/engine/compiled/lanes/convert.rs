@@ -1,12 +1,10 @@
 //! The forms of values: the cost of conversions, and their instructions.
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::{InstBuilder, Value, types};
-
 use super::emit::{self, low_mask};
 use super::form::{Form, Need, Step, Vector, next};
 use super::{Done, ELEMENTS, Lanes};
 use crate::engine::program::ValueId;
+use crate::engine::strips::{Builder, Type, Value};
 
 impl Lanes {
     /// The number of instructions that convert a value to an element as needed.
@@ -41,7 +39,7 @@ impl Lanes {
     }
 
     /// A value in an element, as needed.
-    pub(super) fn number(&mut self, b: &mut FunctionBuilder, id: ValueId, element: u32, need: Need) -> Vector {
+    pub(super) fn number(&mut self, b: &mut Builder, id: ValueId, element: u32, need: Need) -> Vector {
         let entry = &self.values[&id];
         debug_assert!(element >= entry.width, "{id:?} has {} bits", entry.width);
         if let Some(constant) = entry.constant {
@@ -58,7 +56,7 @@ impl Lanes {
     }
 
     /// A value shifted to the top of its elements.
-    pub(super) fn top(&mut self, b: &mut FunctionBuilder, id: ValueId, element: u32) -> Vector {
+    pub(super) fn top(&mut self, b: &mut Builder, id: ValueId, element: u32) -> Vector {
         let entry = &self.values[&id];
         if let Some(top) = entry.tops.iter().find(|top| top.element == element) {
             return top.clone();
@@ -93,25 +91,25 @@ impl Lanes {
         self.cost(id, element, Need::Any) + shift * self.parts(element) as u32
     }
 
-    pub(super) fn step(&mut self, b: &mut FunctionBuilder, step: Step, from: &Vector, form: Form, to: u32) -> Vector {
+    pub(super) fn step(&mut self, b: &mut Builder, step: Step, from: &Vector, form: Form, to: u32) -> Vector {
         let (width, at) = (from.width, from.element);
         let (parts, inverse) = match (step, &from.inverse) {
             (Step::Clean, _) => {
                 let mask = self.bits(b, at, low_mask(width));
-                (emit::map(&from.parts, |part| b.ins().band(part, mask)), None)
+                (emit::map(&from.parts, |part| b.and(part, mask)), None)
             }
             (Step::SignExtend, _) => (self.sign_extended(b, from), None),
             // Only the inverse exists in registers.
             (_, Some(inverse)) if form == Form::Mask => {
                 let inverse = emit::resize(b, step, inverse, at);
-                (emit::map(&inverse, |part| b.ins().bnot(part)), Some(inverse))
+                (emit::map(&inverse, |part| b.not(part)), Some(inverse))
             }
             _ => (emit::resize(b, step, &from.parts, at), None),
         };
         Vector { width, element: to, form, parts, inverse }
     }
 
-    fn sign_extended(&mut self, b: &mut FunctionBuilder, from: &Vector) -> Vec<Value> {
+    fn sign_extended(&mut self, b: &mut Builder, from: &Vector) -> Vec<Value> {
         let (width, element) = (from.width, from.element);
         let clean = from.form.bits(element) <= width;
         if width == 1 && clean {
@@ -119,20 +117,20 @@ impl Lanes {
             return emit::map(&from.parts, |part| emit::equal(b, part, one));
         }
         if matches!(element, 16 | 32) {
-            let up = b.ins().iconst(types::I64, i64::from(element - width));
+            let up = b.constant(Type::I64, i64::from(element - width));
             return emit::map(&from.parts, |part| {
-                let top = b.ins().ishl(part, up);
-                b.ins().sshr(top, up)
+                let top = b.shl(part, up);
+                b.sar(top, up)
             });
         }
         let (mask, sign) = (self.bits(b, element, low_mask(width)), self.bits(b, element, 1 << (width - 1)));
         emit::map(&from.parts, |part| {
-            let part = if clean { part } else { b.ins().band(part, mask) };
+            let part = if clean { part } else { b.and(part, mask) };
             if width == 1 {
                 return emit::equal(b, part, sign);
             }
-            let flipped = b.ins().bxor(part, sign);
-            b.ins().isub(flipped, sign)
+            let flipped = b.xor(part, sign);
+            b.sub(flipped, sign)
         })
     }
 }

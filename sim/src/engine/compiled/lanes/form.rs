@@ -1,6 +1,6 @@
 //! The forms of a value, and the steps from one to another.
 
-use cranelift_codegen::ir::Value;
+use crate::engine::strips::Value;
 
 /// What is known of the bits of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,13 +2,11 @@
 
 use std::cmp::Ordering;
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
-
-use super::emit::{self, cast, low_mask, ty};
+use super::emit::{self, low_mask, ty};
 use super::form::{Form, Need, Step, Vector};
 use super::{Done, Lanes};
 use crate::engine::program::ValueId;
+use crate::engine::strips::{Builder, Load, Type, Value};
 
 /// A place with the lanes of a strip side by side: clean numbers; masks if they have 1 bit.
 #[derive(Debug, Clone, Copy)]
@@ -22,33 +20,27 @@ pub(in crate::engine::compiled) struct Span {
     pub aligned: bool,
 }
 
-impl Span {
-    fn flags(&self) -> MemFlagsData {
-        let flags = MemFlagsData::new().with_notrap();
-        if self.aligned { flags.with_aligned() } else { flags }
-    }
-}
+impl Span {}
 
 impl Lanes {
     /// Loads the lanes of a strip.
-    pub fn load(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, from: Span) {
-        let Span { storage, address, offset, .. } = from;
+    pub fn load(&mut self, b: &mut Builder, id: ValueId, width: u32, from: Span) {
+        let Span { storage, address, offset, aligned } = from;
         let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
-        let flags = from.flags();
         let mut element = storage;
         let parts = match (self.strip * storage, storage, width) {
             (128.., ..) => {
                 let parts = self.parts(storage) as i32;
-                (0..parts).map(|i| b.ins().load(ty(storage), flags, address, offset + 16 * i)).collect()
+                (0..parts).map(|i| b.load_as(Load::Whole, ty(storage), aligned, address, offset + 16 * i)).collect()
             }
-            (64, 8, 1) => vec![b.ins().sload8x8(flags, address, offset)],
-            (64, 8, _) => vec![b.ins().uload8x8(flags, address, offset)],
-            (64, _, 1) => vec![b.ins().sload16x4(flags, address, offset)],
-            (64, ..) => vec![b.ins().uload16x4(flags, address, offset)],
+            (64, 8, 1) => vec![b.load_as(Load::SignExtended, Type::I16X8, aligned, address, offset)],
+            (64, 8, _) => vec![b.load_as(Load::ZeroExtended, Type::I16X8, aligned, address, offset)],
+            (64, _, 1) => vec![b.load_as(Load::SignExtended, Type::I32X4, aligned, address, offset)],
+            (64, ..) => vec![b.load_as(Load::ZeroExtended, Type::I32X4, aligned, address, offset)],
             _ => {
-                let lanes = b.ins().load(types::I32, flags, address, offset);
-                let lanes = b.ins().scalar_to_vector(types::I32X4, lanes);
-                let bytes = cast(b, lanes, types::I8X16);
+                let lanes = b.load_as(Load::Whole, Type::I32, aligned, address, offset);
+                let lanes = b.lowest(Type::I32X4, lanes);
+                let bytes = b.cast(Type::I8X16, lanes);
                 let step = if width == 1 { Step::WidenSigned } else { Step::Widen };
                 let words = emit::resize(b, step, &[bytes], 8);
                 vec![emit::resize(b, step, &words[..1], 16)[0]]
@@ -59,22 +51,22 @@ impl Lanes {
     }
 
     /// Loads the vectors of a strip from any address, with numbers in the smallest elements.
-    pub fn load_parts(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, address: Value, offsets: &[i32]) {
-        let (element, flags) = (self.element(width), MemFlagsData::new().with_notrap());
+    pub fn load_parts(&mut self, b: &mut Builder, id: ValueId, width: u32, address: Value, offsets: &[i32]) {
+        let element = self.element(width);
         let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
-        let parts = offsets.iter().map(|&offset| b.ins().load(ty(element), flags, address, offset)).collect();
+        let parts = offsets.iter().map(|&offset| b.load_as(Load::Whole, ty(element), false, address, offset)).collect();
         self.define(id, Vector { width, element, form, parts, inverse: None });
     }
 
     /// Stores the lanes of a strip.
-    pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, to: Span) {
+    pub fn store(&mut self, b: &mut Builder, id: ValueId, to: Span) {
         let need = stored(self.width(id));
         let vector = self.number(b, id, to.storage.max(128 / self.strip), need);
         self.store_vector(b, &vector, to);
     }
 
     /// Stores the lanes where the 1-bit value `select` is 1, and elsewhere `old`, the present contents.
-    pub fn store_where(&mut self, b: &mut FunctionBuilder, select: ValueId, id: ValueId, old: ValueId, to: Span) {
+    pub fn store_where(&mut self, b: &mut Builder, select: ValueId, id: ValueId, old: ValueId, to: Span) {
         let need = stored(self.width(id));
         let element = to.storage.max(128 / self.strip);
         let select = self.number(b, select, element, Need::Signed);
@@ -83,12 +75,11 @@ impl Lanes {
         self.store_vector(b, &vector, to);
     }
 
-    fn store_vector(&mut self, b: &mut FunctionBuilder, vector: &Vector, to: Span) {
-        let Span { storage, address, offset, .. } = to;
-        let flags = to.flags();
+    fn store_vector(&mut self, b: &mut Builder, vector: &Vector, to: Span) {
+        let Span { storage, address, offset, aligned } = to;
         if vector.element == storage {
             for (i, &part) in vector.parts.iter().enumerate() {
-                b.ins().store(flags, part, address, offset + 16 * i as i32);
+                b.store_as(aligned, part, address, offset + 16 * i as i32);
             }
             return;
         }
@@ -101,19 +92,19 @@ impl Lanes {
         }
         let bits = self.strip * storage;
         // A float is stored by one instruction; an integer would have to be extracted.
-        let lanes = cast(b, lanes, if bits == 32 { types::F32X4 } else { types::F64X2 });
-        let lanes = b.ins().extractlane(lanes, 0);
-        b.ins().store(flags, lanes, address, offset);
+        let lanes = b.cast(if bits == 32 { Type::F32X4 } else { Type::F64X2 }, lanes);
+        let lanes = b.lane(lanes, 0);
+        b.store_as(aligned, lanes, address, offset);
     }
 
     /// One lane as a clean I64.
-    pub fn extract(&mut self, b: &mut FunctionBuilder, id: ValueId, lane: u32) -> Value {
+    pub fn extract(&mut self, b: &mut Builder, id: ValueId, lane: u32) -> Value {
         let entry = &self.values[&id];
         if let Some(scalar) = entry.scalar {
             return scalar;
         }
         if let Some(constant) = entry.constant {
-            return b.ins().iconst(types::I64, constant as i64);
+            return b.constant(Type::I64, constant as i64);
         }
         // A mask in general registers costs no more than the extension.
         let element = self.pick(self.element(entry.width), &[(id, Need::Any)], 1);
@@ -123,7 +114,7 @@ impl Lanes {
     }
 
     /// One lane, clean or sign-extended. It uses halves of vectors, because extracting each lane takes longer.
-    pub(super) fn lane(&mut self, b: &mut FunctionBuilder, vector: &Vector, lane: u32, signed: bool) -> Value {
+    pub(super) fn lane(&mut self, b: &mut Builder, vector: &Vector, lane: u32, signed: bool) -> Value {
         let Vector { width, element, .. } = *vector;
         let (part, at) = (vector.parts[(lane * element / 128) as usize], lane * element % 128);
         let half = self.half(b, part, (at / 64) as u8);
@@ -131,30 +122,30 @@ impl Lanes {
         let number = match low {
             0 => half,
             _ => {
-                let by = b.ins().iconst(types::I64, i64::from(low));
-                b.ins().ushr(half, by)
+                let by = b.constant(Type::I64, i64::from(low));
+                b.shr(half, by)
             }
         };
         if element == 64 {
             return number;
         }
         if !signed && !Need::Clean.met(vector.form, width, element) {
-            let mask = b.ins().iconst(types::I64, low_mask(width) as i64);
-            return b.ins().band(number, mask);
+            let mask = b.constant(Type::I64, low_mask(width) as i64);
+            return b.and(number, mask);
         }
         if !signed && low + element == 64 {
             return number;
         }
-        let number = b.ins().ireduce(ty(element).lane_type(), number);
-        if signed { b.ins().sextend(types::I64, number) } else { b.ins().uextend(types::I64, number) }
+        let number = b.truncate(ty(element).of_lane(), number);
+        if signed { b.sign_extend(Type::I64, number) } else { b.zero_extend(Type::I64, number) }
     }
 
-    fn half(&mut self, b: &mut FunctionBuilder, part: Value, index: u8) -> Value {
+    fn half(&mut self, b: &mut Builder, part: Value, index: u8) -> Value {
         if let Some(half) = self.halves.get(&(part, index)) {
             return *half;
         }
-        let both = cast(b, part, types::I64X2);
-        let half = b.ins().extractlane(both, index);
+        let both = b.cast(Type::I64X2, part);
+        let half = b.lane(both, index);
         self.halves.insert((part, index), half);
         self.done.push(Done::Half(part, index));
         half
@@ -163,41 +154,41 @@ impl Lanes {
     /// A value of clean numbers, one a lane, of any integer type. A load with the type of the value's element and no
     /// other use becomes part of the insertion. A load of a narrower element that extends to I64 needs no further
     /// instruction.
-    pub fn gather(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, lanes: &[Value]) {
+    pub fn gather(&mut self, b: &mut Builder, id: ValueId, width: u32, lanes: &[Value]) {
         let element = self.element(width);
         let parts = self.gathered(b, element, lanes);
         self.define(id, Vector { width, element, form: Form::Bits(width), parts, inverse: None });
     }
 
-    pub(super) fn gathered(&mut self, b: &mut FunctionBuilder, element: u32, lanes: &[Value]) -> Vec<Value> {
+    pub(super) fn gathered(&mut self, b: &mut Builder, element: u32, lanes: &[Value]) -> Vec<Value> {
         debug_assert_eq!(lanes.len(), self.strip as usize);
-        let single = ty(element).lane_type();
+        let single = ty(element).of_lane();
         let parts = lanes.chunks(128 / element as usize).map(|lanes| {
             let mut fill = |lanes: &[Value]| {
                 let mut vector = None;
                 let are_equal = lanes.iter().all(|lane| *lane == lanes[0]);
                 let different = if are_equal { &lanes[..1] } else { lanes };
                 for (i, &lane) in different.iter().enumerate() {
-                    let number = match b.func.dfg.value_type(lane).bits().cmp(&element) {
-                        Ordering::Less => b.ins().uextend(single, lane),
+                    let number = match b.type_of(lane).element().cmp(&element) {
+                        Ordering::Less => b.zero_extend(single, lane),
                         Ordering::Equal => lane,
-                        Ordering::Greater => b.ins().ireduce(single, lane),
+                        Ordering::Greater => b.truncate(single, lane),
                     };
                     vector = Some(match vector {
                         // The pattern of two moves for 64 bits; `movd` for others.
-                        None if element == 64 || are_equal => b.ins().splat(ty(element), number),
-                        None if element == 32 => b.ins().scalar_to_vector(ty(element), number),
+                        None if element == 64 || are_equal => b.splat(ty(element), number),
+                        None if element == 32 => b.lowest(ty(element), number),
                         None => {
                             // The bits above are overwritten.
-                            let wide = match b.func.dfg.value_type(lane) {
-                                types::I64 => b.ins().ireduce(types::I32, lane),
-                                types::I32 => lane,
-                                _ => b.ins().uextend(types::I32, lane),
+                            let wide = match b.type_of(lane) {
+                                Type::I64 => b.truncate(Type::I32, lane),
+                                Type::I32 => lane,
+                                _ => b.zero_extend(Type::I32, lane),
                             };
-                            let wide = b.ins().scalar_to_vector(types::I32X4, wide);
-                            cast(b, wide, ty(element))
+                            let wide = b.lowest(Type::I32X4, wide);
+                            b.cast(ty(element), wide)
                         }
-                        Some(vector) => b.ins().insertlane(vector, number, i as u8),
+                        Some(vector) => b.with_lane(vector, number, i as u8),
                     });
                 }
                 vector.expect("there are lanes")
@@ -214,14 +205,14 @@ impl Lanes {
     }
 
     /// Whether a 1-bit value is 1 in any lane, as an I8.
-    pub fn any(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
+    pub fn any(&mut self, b: &mut Builder, id: ValueId) -> Value {
         let element = self.pick(8, &[(id, Need::Signed)], 1);
         let mask = self.number(b, id, element, Need::Signed);
         if let Some(constant) = self.known(id) {
-            return b.ins().iconst(types::I8, (constant & low_mask(1)) as i64);
+            return b.constant(Type::I8, (constant & low_mask(1)) as i64);
         }
-        let parts = mask.parts.iter().copied().reduce(|x, y| b.ins().bor(x, y));
-        b.ins().vany_true(parts.expect("a strip has a vector"))
+        let parts = mask.parts.iter().copied().reduce(|x, y| b.or(x, y));
+        b.any_bit(parts.expect("a strip has a vector"))
     }
 }
 

@@ -1,17 +1,16 @@
 //! Choices between values.
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::{InstBuilder, types};
 use tilewright_hdl::Bits;
 
 use super::Lanes;
-use super::emit::{self, cast, ty};
+use super::emit::{self, ty};
 use super::form::{Form, Need, Vector};
 use crate::engine::program::ValueId;
+use crate::engine::strips::{Builder, Type};
 
 impl Lanes {
     /// The value of the first arm whose condition is true, else the default.
-    pub(super) fn select(&mut self, b: &mut FunctionBuilder, arms: &[(ValueId, ValueId)], default: ValueId) -> Vector {
+    pub(super) fn select(&mut self, b: &mut Builder, arms: &[(ValueId, ValueId)], default: ValueId) -> Vector {
         let width = self.width(default);
         let need = Need::of(width);
         let mut operands = vec![(default, need)];
@@ -27,7 +26,7 @@ impl Lanes {
     }
 
     /// All have one element.
-    pub(super) fn mux(&mut self, b: &mut FunctionBuilder, select: &Vector, x: &Vector, y: &Vector) -> Vector {
+    pub(super) fn mux(&mut self, b: &mut Builder, select: &Vector, x: &Vector, y: &Vector) -> Vector {
         if let Some(inverse) = &select.inverse {
             let select = self.mask_of(select.element, inverse.clone());
             return self.mux(b, &select, y, x);
@@ -45,22 +44,22 @@ impl Lanes {
         let parts = if is_zero(y) && is_ones(x) {
             select.clone()
         } else if is_zero(y) {
-            emit::map2(select, &x.parts, |select, x| b.ins().band(x, select))
+            emit::map2(select, &x.parts, |select, x| b.and(x, select))
         } else if is_zero(x) {
-            let not = emit::map(select, |select| b.ins().bnot(select));
-            emit::map2(&not, &y.parts, |not, y| b.ins().band(y, not))
+            let not = emit::map(select, |select| b.not(select));
+            emit::map2(&not, &y.parts, |not, y| b.and(y, not))
         } else if is_ones(x) {
-            emit::map2(select, &y.parts, |select, y| b.ins().bor(select, y))
+            emit::map2(select, &y.parts, |select, y| b.or(select, y))
         } else {
             let parts = select.iter().zip(x.parts.iter().zip(&y.parts));
-            parts.map(|(&select, (&x, &y))| emit::blend(b, select, x, y)).collect()
+            parts.map(|(&select, (&x, &y))| b.blend(select, x, y)).collect()
         };
         Vector { width, element, form: x.form.or(y.form, element), parts, inverse: None }
     }
 
     pub(super) fn case(
         &mut self,
-        b: &mut FunctionBuilder,
+        b: &mut Builder,
         subject: ValueId,
         arms: &[(Bits, ValueId)],
         default: ValueId,
@@ -111,7 +110,7 @@ impl Lanes {
     /// At most 16 known bytes: one `pshufb`.
     fn table(
         &mut self,
-        b: &mut FunctionBuilder,
+        b: &mut Builder,
         subject: ValueId,
         arms: &[(Bits, ValueId)],
         default: ValueId,
@@ -128,9 +127,9 @@ impl Lanes {
         let numbers = self.number(b, subject, element, Need::Clean);
         let table = emit::vector_constant(b, 8, |i| u64::from(table[i as usize]));
         let parts = emit::map(&numbers.parts, |part| {
-            let part = cast(b, part, types::I8X16);
-            let found = emit::lookup(b, table, part);
-            cast(b, found, ty(element))
+            let part = b.cast(Type::I8X16, part);
+            let found = b.look_up(table, part);
+            b.cast(ty(element), found)
         });
         // Above the lowest byte is the entry of zero.
         Some(Vector { width, element, form: Form::Bits(element), parts, inverse: None })

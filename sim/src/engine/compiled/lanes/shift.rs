@@ -1,14 +1,12 @@
 //! Shifts by a variable amount. Cranelift has none with an amount for each lane.
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Value, types};
 use tilewright_hdl::ir::{Binary, Shift};
 
-use super::emit::{self, cast, low_mask, ty};
+use super::emit::{self, low_mask, ty};
 use super::form::{Form, Need, Vector};
 use super::{Done, Lanes};
 use crate::engine::program::ValueId;
+use crate::engine::strips::{Builder, Comparison, Type, Value};
 
 /// The largest number with this many bits.
 fn most(bits: u32) -> u64 {
@@ -16,7 +14,7 @@ fn most(bits: u32) -> u64 {
 }
 
 impl Lanes {
-    pub(super) fn shift(&mut self, b: &mut FunctionBuilder, op: Shift, a: ValueId, by: ValueId) -> Vector {
+    pub(super) fn shift(&mut self, b: &mut Builder, op: Shift, a: ValueId, by: ValueId) -> Vector {
         if let Some(by) = self.known(by) {
             return self.shift_known(b, op, a, by);
         }
@@ -58,21 +56,21 @@ impl Lanes {
                 let signs = match element {
                     8 => {
                         let zero = self.bits(b, 8, 0);
-                        emit::map(&value.parts, |part| b.ins().icmp(IntCC::SignedGreaterThan, zero, part))
+                        emit::map(&value.parts, |part| b.compare(Comparison::SignedGreaterThan, zero, part))
                     }
                     _ => self.top_bits(b, element, &value.parts),
                 };
-                let positive = emit::map2(&value.parts, &signs, |part, sign| b.ins().bxor(part, sign));
+                let positive = emit::map2(&value.parts, &signs, |part, sign| b.xor(part, sign));
                 let bits = value.form.signed_bits(element) - 1;
                 let positive = Vector { form: Form::Bits(bits), parts: positive, ..value.clone() };
                 let down = self.shifted_down(b, &positive, by);
-                let parts = emit::map2(&down.parts, &signs, |part, sign| b.ins().bxor(part, sign));
+                let parts = emit::map2(&down.parts, &signs, |part, sign| b.xor(part, sign));
                 Vector { form: value.form, parts, ..value }
             }
         }
     }
 
-    fn shift_known(&mut self, b: &mut FunctionBuilder, op: Shift, a: ValueId, by: u64) -> Vector {
+    fn shift_known(&mut self, b: &mut Builder, op: Shift, a: ValueId, by: u64) -> Vector {
         let width = self.width(a);
         let element = self.element(width);
         let by = by.min(u64::from(if op == Shift::RightSigned { width - 1 } else { width })) as u32;
@@ -99,7 +97,7 @@ impl Lanes {
                 let value = self.number(b, a, element, Need::Any);
                 let left = self.bits(b, 8, low_mask(width - by));
                 let down = self.shifted_right(b, &value, by);
-                let parts = emit::map(&down.parts, |part| b.ins().band(part, left));
+                let parts = emit::map(&down.parts, |part| b.and(part, left));
                 Vector { form: Form::Bits(width - by), parts, ..down }
             }
             Shift::RightSigned => {
@@ -109,9 +107,9 @@ impl Lanes {
                     let (left, sign) = (self.bits(b, 8, low_mask(width - by)), self.bits(b, 8, 1 << (width - by - 1)));
                     let down = self.shifted_right(b, &value, by);
                     let parts = emit::map(&down.parts, |part| {
-                        let part = b.ins().band(part, left);
-                        let part = b.ins().bxor(part, sign);
-                        b.ins().isub(part, sign)
+                        let part = b.and(part, left);
+                        let part = b.xor(part, sign);
+                        b.sub(part, sign)
                     });
                     return Vector { form: Form::signed(width - by, 8), parts, ..down };
                 }
@@ -121,15 +119,15 @@ impl Lanes {
                     false => (self.number(b, a, element, Need::Signed), by),
                 };
                 let form = Form::signed(from.form.signed_bits(element).saturating_sub(by).max(1), element);
-                let by = b.ins().iconst(types::I64, i64::from(by));
-                let parts = emit::map(&from.parts, |part| b.ins().sshr(part, by));
+                let by = b.constant(Type::I64, i64::from(by));
+                let parts = emit::map(&from.parts, |part| b.sar(part, by));
                 Vector { width, element, form, parts, inverse: None }
             }
         }
     }
 
     /// One bit remains if the amount is zero; with a sign it always remains.
-    fn shift_bit(&mut self, b: &mut FunctionBuilder, op: Shift, a: ValueId, by: ValueId) -> Vector {
+    fn shift_bit(&mut self, b: &mut Builder, op: Shift, a: ValueId, by: ValueId) -> Vector {
         let element = self.pick(8, &[(a, Need::Signed)], 0);
         if op == Shift::RightSigned {
             return self.number(b, a, element, Need::Signed);
@@ -150,7 +148,7 @@ impl Lanes {
     }
 
     /// Shifts all lanes by one amount.
-    fn shift_uniform(&mut self, b: &mut FunctionBuilder, op: Shift, a: ValueId, by: Value, bits: u32) -> Vector {
+    fn shift_uniform(&mut self, b: &mut Builder, op: Shift, a: ValueId, by: Value, bits: u32) -> Vector {
         let width = self.width(a);
         let need = match op {
             Shift::Left => Need::Any,
@@ -159,10 +157,10 @@ impl Lanes {
         };
         let element = self.pick(self.element(width), &[(a, need)], 1);
         let value = self.number(b, a, element, need);
-        let at_most = |b: &mut FunctionBuilder, limit: u32| match most(bits) > u64::from(limit) {
+        let at_most = |b: &mut Builder, limit: u32| match most(bits) > u64::from(limit) {
             true => {
-                let limit = b.ins().iconst(types::I64, i64::from(limit));
-                b.ins().umin(by, limit)
+                let limit = b.constant(Type::I64, i64::from(limit));
+                b.min(by, limit)
             }
             false => by,
         };
@@ -174,17 +172,17 @@ impl Lanes {
             }
             _ => {
                 let all = at_most(b, element);
-                let one = b.ins().iconst(types::I64, 1);
-                let half = b.ins().ushr(all, one);
-                vec![half, b.ins().isub(all, half)]
+                let one = b.constant(Type::I64, 1);
+                let half = b.shr(all, one);
+                vec![half, b.sub(all, half)]
             }
         };
         let mut parts = value.parts.clone();
         for by in amounts {
             parts = emit::map(&parts, |part| match op {
-                Shift::Left => b.ins().ishl(part, by),
-                Shift::Right => b.ins().ushr(part, by),
-                Shift::RightSigned => b.ins().sshr(part, by),
+                Shift::Left => b.shl(part, by),
+                Shift::Right => b.shr(part, by),
+                Shift::RightSigned => b.sar(part, by),
             });
         }
         let form = match op {
@@ -196,7 +194,7 @@ impl Lanes {
     }
 
     /// Shifts lane by lane.
-    fn shift_lanes(&mut self, b: &mut FunctionBuilder, op: Shift, a: ValueId, by: ValueId) -> Vector {
+    fn shift_lanes(&mut self, b: &mut Builder, op: Shift, a: ValueId, by: ValueId) -> Vector {
         let (width, bits) = (self.width(a), self.width(by));
         let need = if op == Shift::RightSigned { Need::Signed } else { Need::Clean };
         // Both from the vectors at once, so that conversions are made of whole vectors.
@@ -206,21 +204,21 @@ impl Lanes {
         for lane in 0..self.strip {
             let x = self.lane(b, &value, lane, op == Shift::RightSigned);
             let n = self.extract(b, by, lane);
-            let limit = b.ins().iconst(types::I64, 63);
+            let limit = b.constant(Type::I64, 63);
             let shifted = match op {
                 Shift::RightSigned => {
-                    let n = if most(bits) > 63 { b.ins().umin(n, limit) } else { n };
-                    b.ins().sshr(x, n)
+                    let n = if most(bits) > 63 { b.min(n, limit) } else { n };
+                    b.sar(x, n)
                 }
-                Shift::Left => b.ins().ishl(x, n),
-                Shift::Right => b.ins().ushr(x, n),
+                Shift::Left => b.shl(x, n),
+                Shift::Right => b.shr(x, n),
             };
             lanes.push(if op == Shift::RightSigned || most(bits) <= 63 {
                 shifted
             } else {
-                let inside = b.ins().icmp(IntCC::UnsignedLessThanOrEqual, n, limit);
-                let zero = b.ins().iconst(types::I64, 0);
-                b.ins().select(inside, shifted, zero)
+                let inside = b.compare(Comparison::UnsignedLessThanOrEqual, n, limit);
+                let zero = b.constant(Type::I64, 0);
+                b.select(inside, shifted, zero)
             });
         }
         let parts = self.gathered(b, element, &lanes);
@@ -233,7 +231,7 @@ impl Lanes {
     }
 
     /// Shifts by each bit of the amount in turn.
-    fn shift_steps(&mut self, b: &mut FunctionBuilder, op: Shift, value: Vector, by: ValueId) -> Vector {
+    fn shift_steps(&mut self, b: &mut Builder, op: Shift, value: Vector, by: ValueId) -> Vector {
         let Vector { width, element, .. } = value;
         let mut value = value;
         for i in 0..self.width(by) {
@@ -251,7 +249,7 @@ impl Lanes {
                     match element {
                         8 => {
                             let left = self.bits(b, 8, 0xff >> (1 << i));
-                            let parts = emit::map(&down.parts, |part| b.ins().band(part, left));
+                            let parts = emit::map(&down.parts, |part| b.and(part, left));
                             Vector { form: Form::Bits(8 - (1 << i)), parts, ..down }
                         }
                         _ => down,
@@ -259,8 +257,8 @@ impl Lanes {
                 }
                 Shift::Left | Shift::Right => self.known_vector(b, width, 0, element, Need::Any),
                 Shift::RightSigned => {
-                    let by = b.ins().iconst(types::I64, (1 << i).min(i64::from(element) - 1));
-                    let parts = emit::map(&value.parts, |part| b.ins().sshr(part, by));
+                    let by = b.constant(Type::I64, (1 << i).min(i64::from(element) - 1));
+                    let parts = emit::map(&value.parts, |part| b.sar(part, by));
                     Vector { parts, inverse: None, ..value.clone() }
                 }
             };
@@ -271,7 +269,7 @@ impl Lanes {
 
     /// Two to the power of the amount or, if `falling`, of the element's highest bit minus the amount; zero if the
     /// amount is the element's width or more.
-    fn powers(&mut self, b: &mut FunctionBuilder, by: ValueId, element: u32, falling: bool) -> Vec<Value> {
+    fn powers(&mut self, b: &mut Builder, by: ValueId, element: u32, falling: bool) -> Vec<Value> {
         if let Some(powers) = self.powers.get(&(by, element, falling)) {
             return powers.clone();
         }
@@ -280,23 +278,22 @@ impl Lanes {
         let parts = match element {
             // As the exponent of a float.
             32 => {
-                let (bias, up) = (self.bits(b, 32, if falling { 158 } else { 127 }), b.ins().iconst(types::I64, 23));
+                let (bias, up) = (self.bits(b, 32, if falling { 158 } else { 127 }), b.constant(Type::I64, 23));
                 let limit = if largest > 31 { Some(self.bits(b, 32, 32)) } else { None };
                 emit::map(&amount.parts, |part| {
-                    let exponent = if falling { b.ins().isub(bias, part) } else { b.ins().iadd(part, bias) };
-                    let float = b.ins().ishl(exponent, up);
-                    let flags = MemFlagsData::new().with_endianness(Endianness::Little);
-                    let float = b.ins().bitcast(types::F32X4, flags, float);
-                    let power = emit::truncate(b, float);
+                    let exponent = if falling { b.sub(bias, part) } else { b.add(part, bias) };
+                    let float = b.shl(exponent, up);
+                    let float = b.cast(Type::F32X4, float);
+                    let power = b.integers(Type::I32X4, float);
                     match limit {
                         None => power,
                         Some(limit) if largest < 1 << 31 => {
-                            let inside = b.ins().icmp(IntCC::SignedGreaterThan, limit, part);
-                            b.ins().band(power, inside)
+                            let inside = b.compare(Comparison::SignedGreaterThan, limit, part);
+                            b.and(power, inside)
                         }
                         Some(limit) => {
-                            let inside = b.ins().icmp(IntCC::UnsignedLessThan, part, limit);
-                            b.ins().band(power, inside)
+                            let inside = b.compare(Comparison::UnsignedLessThan, part, limit);
+                            b.and(power, inside)
                         }
                     }
                 })
@@ -310,12 +307,12 @@ impl Lanes {
                 });
                 let limit = if largest > 255 { Some(self.bits(b, 16, 128)) } else { None };
                 emit::map(&amount.parts, |part| {
-                    let part = limit.map_or(part, |limit| b.ins().umin(part, limit));
-                    let twice = b.ins().imul(part, each);
-                    let numbers = b.ins().iadd(twice, ends);
-                    let numbers = cast(b, numbers, types::I8X16);
-                    let powers = b.ins().swizzle(table, numbers);
-                    cast(b, powers, types::I16X8)
+                    let part = limit.map_or(part, |limit| b.min(part, limit));
+                    let twice = b.mul(part, each);
+                    let numbers = b.add(twice, ends);
+                    let numbers = b.cast(Type::I8X16, numbers);
+                    let powers = b.swizzle(table, numbers);
+                    b.cast(Type::I16X8, powers)
                 })
             }
             _ => {
@@ -323,7 +320,7 @@ impl Lanes {
                     true => 0x80 >> i,
                     false => u64::from(i < 8) * (1 << i) % 256,
                 });
-                emit::map(&amount.parts, |part| b.ins().swizzle(table, part))
+                emit::map(&amount.parts, |part| b.swizzle(table, part))
             }
         };
         self.powers.insert((by, element, falling), parts.clone());
@@ -332,38 +329,38 @@ impl Lanes {
     }
 
     /// Clean numbers, with zeros shifted in.
-    fn shifted_down(&mut self, b: &mut FunctionBuilder, value: &Vector, by: ValueId) -> Vector {
+    fn shifted_down(&mut self, b: &mut Builder, value: &Vector, by: ValueId) -> Vector {
         let Vector { width, element, form, .. } = *value;
         if element == 32 && form.bits(32) <= 24 {
             return self.shifted_down_float(b, value, by);
         }
         let powers = self.powers(b, by, element, true);
-        let down = b.ins().iconst(types::I64, i64::from(element - 1));
+        let down = b.constant(Type::I64, i64::from(element - 1));
         let parts = match element {
             32 => {
                 let long = self.long_product(b, false, &value.parts, &powers);
-                let long = emit::map(&long, |part| b.ins().ushr(part, down));
+                let long = emit::map(&long, |part| b.shr(part, down));
                 emit::resize(b, super::Step::Cut, &long, 64)
             }
             16 => {
                 let long = self.long_product(b, false, &value.parts, &powers);
-                let long = emit::map(&long, |part| b.ins().ushr(part, down));
+                let long = emit::map(&long, |part| b.shr(part, down));
                 emit::resize(b, super::Step::Narrow, &long, 32)
             }
             _ => {
                 let (even, odd) = (self.bits(b, 16, 0x00ff), self.bits(b, 16, 0xff00));
-                let one = b.ins().iconst(types::I64, 1);
+                let one = b.constant(Type::I64, 1);
                 emit::map2(&value.parts, &powers, |x, power| {
-                    let [x, power] = [x, power].map(|part| cast(b, part, types::I16X8));
-                    let [x0, power0] = [x, power].map(|part| b.ins().band(part, even));
+                    let [x, power] = [x, power].map(|part| b.cast(Type::I16X8, part));
+                    let [x0, power0] = [x, power].map(|part| b.and(part, even));
                     let [x1, power1] = [x, power].map(|part| emit::shift_dirty(b, part, 16, false, 8));
-                    let low = b.ins().imul(x0, power0);
-                    let low = b.ins().ushr(low, down);
-                    let high = b.ins().imul(x1, power1);
-                    let high = b.ins().ishl(high, one);
-                    let high = b.ins().band(high, odd);
-                    let both = b.ins().bor(low, high);
-                    cast(b, both, ty(8))
+                    let low = b.mul(x0, power0);
+                    let low = b.shr(low, down);
+                    let high = b.mul(x1, power1);
+                    let high = b.shl(high, one);
+                    let high = b.and(high, odd);
+                    let both = b.or(low, high);
+                    b.cast(ty(8), both)
                 })
             }
         };
@@ -371,20 +368,19 @@ impl Lanes {
     }
 
     /// Multiplied by a negative power of two, which is exact, and truncated.
-    fn shifted_down_float(&mut self, b: &mut FunctionBuilder, value: &Vector, by: ValueId) -> Vector {
+    fn shifted_down_float(&mut self, b: &mut Builder, value: &Vector, by: ValueId) -> Vector {
         let amount = self.number(b, by, 32, Need::Clean);
         let largest = most(self.width(by));
         let limit = if largest > 126 { Some(self.bits(b, 32, 126)) } else { None };
-        let (bias, up) = (self.bits(b, 32, 127), b.ins().iconst(types::I64, 23));
+        let (bias, up) = (self.bits(b, 32, 127), b.constant(Type::I64, 23));
         let parts = emit::map2(&value.parts, &amount.parts, |part, by| {
-            let by = limit.map_or(by, |limit| b.ins().umin(by, limit));
-            let exponent = b.ins().isub(bias, by);
-            let factor = b.ins().ishl(exponent, up);
-            let flags = MemFlagsData::new().with_endianness(Endianness::Little);
-            let factor = b.ins().bitcast(types::F32X4, flags, factor);
-            let float = b.ins().fcvt_from_sint(types::F32X4, part);
-            let float = b.ins().fmul(float, factor);
-            emit::truncate(b, float)
+            let by = limit.map_or(by, |limit| b.min(by, limit));
+            let exponent = b.sub(bias, by);
+            let factor = b.shl(exponent, up);
+            let factor = b.cast(Type::F32X4, factor);
+            let float = b.floats(Type::F32X4, part);
+            let float = b.mul_float(float, factor);
+            b.integers(Type::I32X4, float)
         });
         Vector { parts, inverse: None, ..value.clone() }
     }

@@ -9,15 +9,12 @@
 mod narrow;
 mod wide;
 
-use crate::engine::compiled::builder::FunctionBuilder;
-use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Type, Value, types};
 use rustc_hash::FxHashMap;
 use tilewright_hdl::{Bits, limbs_for};
 
 use super::store::is_mask;
 use crate::engine::program::{Kind, ValueId};
-pub(super) use wide::Call;
+use crate::engine::strips::{Builder, Comparison, Type, Value};
 use wide::emit_copy;
 
 /// The widest value whose limbs are in registers.
@@ -59,16 +56,16 @@ impl Scalar {
     }
 
     /// Loads the limbs of a value of more than 64 bits.
-    pub fn load(b: &mut FunctionBuilder, width: u32, at: Value, offset: i32) -> Scalar {
+    pub fn load(b: &mut Builder, width: u32, at: Value, offset: i32) -> Scalar {
         let count = limbs_for(width);
         if width > LONGEST {
             let first = b.take(count);
-            let from = b.ins().iadd_imm_s(at, i64::from(offset));
+            let from = b.add_constant(at, i64::from(offset));
             let to = wide::address(b, first);
             emit_copy(b, from, to, count);
             return Scalar::scratch(width, first);
         }
-        let limb = |i: i32| b.ins().load(types::I64, MemFlagsData::trusted(), at, offset + i * 8);
+        let limb = |i: i32| b.load(Type::I64, at, offset + i * 8);
         Scalar::limbs(width, (0..count as i32).map(limb).collect())
     }
 
@@ -108,12 +105,12 @@ impl Scalars {
     }
 
     /// A constant.
-    pub fn constant(&mut self, b: &mut FunctionBuilder, id: ValueId, bits: &Bits) {
+    pub fn constant(&mut self, b: &mut Builder, id: ValueId, bits: &Bits) {
         if bits.width() > LONGEST {
             let scalar = self.call(b, &Kind::Const(bits.clone()), bits.width());
             return self.define(id, scalar);
         }
-        let limbs: Vec<Value> = bits.limbs().iter().map(|&limb| b.ins().iconst(types::I64, limb as i64)).collect();
+        let limbs: Vec<Value> = bits.limbs().iter().map(|&limb| b.constant(Type::I64, limb as i64)).collect();
         let scalar = match (bits.width(), limbs.as_slice()) {
             (width, [limb]) => Scalar { known: Some(bits.limbs()[0]), ..Scalar::integer(width, *limb, width) },
             (width, _) => Scalar::limbs(width, limbs),
@@ -122,7 +119,7 @@ impl Scalars {
     }
 
     /// Computes `kind`, whose operands are all defined.
-    pub fn evaluate(&mut self, b: &mut FunctionBuilder, result: ValueId, kind: &Kind, width: u32) {
+    pub fn evaluate(&mut self, b: &mut Builder, result: ValueId, kind: &Kind, width: u32) {
         let mut is_narrow = width <= 64;
         kind.for_each_operand(|operand| is_narrow &= self.values[&operand].width <= 64);
         let scalar = match is_narrow {
@@ -133,16 +130,16 @@ impl Scalars {
     }
 
     /// A value of 8, 16, 32 or 64 bits rotated to the left.
-    pub fn rotate(&mut self, b: &mut FunctionBuilder, result: ValueId, of: ValueId, left: u32) {
+    pub fn rotate(&mut self, b: &mut Builder, result: ValueId, of: ValueId, left: u32) {
         let width = self.width(of);
-        let kind = Type::int(width as u16).expect("an integer of the machine");
+        let kind = Type::integer(width);
         let mut value = self.integer(b, of);
         if width < 64 {
-            value = b.ins().ireduce(kind, value);
+            value = b.truncate(kind, value);
         }
-        let mut rotated = b.ins().rotl_imm_u(value, i64::from(left));
+        let mut rotated = b.rotate_left(value, i64::from(left));
         if width < 64 {
-            rotated = b.ins().uextend(types::I64, rotated);
+            rotated = b.zero_extend(Type::I64, rotated);
         }
         self.define(result, Scalar::clean(width, rotated));
     }
@@ -156,32 +153,32 @@ impl Scalars {
     }
 
     /// A value of up to 64 bits, perhaps with ones above its width.
-    fn integer(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
+    fn integer(&mut self, b: &mut Builder, id: ValueId) -> Value {
         let scalar = self.values.get_mut(&id).expect("operands are defined before results");
         if let Some(integer) = scalar.integer {
             return integer;
         }
         let flag = scalar.flag.expect("a value of up to 64 bits is an integer or a flag");
-        let integer = b.ins().uextend(types::I64, flag);
+        let integer = b.zero_extend(Type::I64, flag);
         scalar.integer = Some(integer);
         integer
     }
 
     /// A value of up to 64 bits with zeros above its width.
-    pub fn low(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
+    pub fn low(&mut self, b: &mut Builder, id: ValueId) -> Value {
         let integer = self.integer(b, id);
         let scalar = self.values.get_mut(&id).expect("operands are defined before results");
         if scalar.bound <= scalar.width {
             return integer;
         }
-        let mask = b.ins().iconst(types::I64, tilewright_hdl::top_mask(scalar.width) as i64);
-        let clean = b.ins().band(integer, mask);
+        let mask = b.constant(Type::I64, tilewright_hdl::top_mask(scalar.width) as i64);
+        let clean = b.and(integer, mask);
         (scalar.integer, scalar.bound) = (Some(clean), scalar.width);
         clean
     }
 
     /// The limbs of a value of up to [`LONGEST`] bits, with zeros above the width.
-    pub fn clean(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Vec<Value> {
+    pub fn clean(&mut self, b: &mut Builder, id: ValueId) -> Vec<Value> {
         match &self.values[&id].limbs {
             Some(limbs) => limbs.clone(),
             None => vec![self.low(b, id)],
@@ -189,67 +186,65 @@ impl Scalars {
     }
 
     /// A value of 1 bit as 0 or 1 in 8 bits.
-    pub fn flag(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
+    pub fn flag(&mut self, b: &mut Builder, id: ValueId) -> Value {
         if let Some(flag) = self.values[&id].flag {
             return flag;
         }
         let low = self.low(b, id);
-        let flag = b.ins().ireduce(types::I8, low);
+        let flag = b.truncate(Type::I8, low);
         self.values.get_mut(&id).expect("it is defined").flag = Some(flag);
         flag
     }
 
     /// Loads a value stored as integers of `element` bits, with zeros above its width; 1 bit in fewer than 64 is a
     /// mask.
-    pub fn load(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, element: u32, at: Value, offset: i32) {
-        let flags = MemFlagsData::trusted();
-        let kind = Type::int(element as u16).expect("an element is an integer");
+    pub fn load(&mut self, b: &mut Builder, id: ValueId, width: u32, element: u32, at: Value, offset: i32) {
+        let kind = Type::integer(element);
         if is_mask(element as usize / 8, width) {
-            let mask = b.ins().load(types::I8, flags, at, offset);
-            let flag = b.ins().band_imm_u(mask, 1);
+            let mask = b.load(Type::I8, at, offset);
+            let flag = b.and_constant(mask, 1);
             return self.define_flag(id, flag);
         }
         if width > 64 {
             let scalar = Scalar::load(b, width, at, offset);
             return self.define(id, scalar);
         }
-        let limb = b.ins().load(kind, flags, at, offset);
-        let limb = if element < 64 { b.ins().uextend(types::I64, limb) } else { limb };
+        let limb = b.load(kind, at, offset);
+        let limb = if element < 64 { b.zero_extend(Type::I64, limb) } else { limb };
         self.define(id, Scalar::clean(width, limb));
     }
 
     /// Stores a value in the form that [`Scalars::load`] reads.
-    pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, element: u32, at: Value, offset: i32) {
-        let flags = MemFlagsData::trusted();
+    pub fn store(&mut self, b: &mut Builder, id: ValueId, element: u32, at: Value, offset: i32) {
         if is_mask(element as usize / 8, self.width(id)) {
             let flag = self.flag(b, id);
-            let mask = b.ins().ineg(flag);
-            let kind = Type::int(element as u16).expect("an element is an integer");
-            let mask = if element > 8 { b.ins().sextend(kind, mask) } else { mask };
-            b.ins().store(flags, mask, at, offset);
+            let mask = b.neg(flag);
+            let kind = Type::integer(element);
+            let mask = if element > 8 { b.sign_extend(kind, mask) } else { mask };
+            b.store(mask, at, offset);
             return;
         }
         if self.width(id) == element && element < 64 {
             let integer = self.integer(b, id);
-            let kind = Type::int(element as u16).expect("an element is an integer");
-            let integer = b.ins().ireduce(kind, integer);
-            b.ins().store(flags, integer, at, offset);
+            let kind = Type::integer(element);
+            let integer = b.truncate(kind, integer);
+            b.store(integer, at, offset);
             return;
         }
         if let Some(first) = self.values[&id].scratch {
             let from = wide::address(b, first);
-            let to = b.ins().iadd_imm_s(at, i64::from(offset));
+            let to = b.add_constant(at, i64::from(offset));
             return emit_copy(b, from, to, limbs_for(self.width(id)));
         }
         for (i, limb) in self.clean(b, id).into_iter().enumerate() {
-            let kind = Type::int(element as u16).expect("an element is an integer");
-            let limb = if element < 64 { b.ins().ireduce(kind, limb) } else { limb };
-            b.ins().store(flags, limb, at, offset + i as i32 * 8);
+            let kind = Type::integer(element);
+            let limb = if element < 64 { b.truncate(kind, limb) } else { limb };
+            b.store(limb, at, offset + i as i32 * 8);
         }
     }
 
     /// 1 if two numbers are in a relation.
-    fn test(b: &mut FunctionBuilder, relation: IntCC, left: Value, right: Value) -> Scalar {
-        Scalar::flag(b.ins().icmp(relation, left, right))
+    fn test(b: &mut Builder, relation: Comparison, left: Value, right: Value) -> Scalar {
+        Scalar::flag(b.compare(relation, left, right))
     }
 }

@@ -3,20 +3,19 @@
 
 use std::sync::Arc;
 
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use rustc_hash::FxHashSet;
 use tilewright_hdl::ir::Binary;
 use tilewright_hdl::limbs_for;
 
 use super::{LONGEST, Scalar, Scalars};
-use crate::engine::compiled::builder::{FunctionBuilder, POINTER};
 use crate::engine::compiled::emitter::offset;
 use crate::engine::program::{Cell, Kind, ValueId};
 use crate::engine::semantics::{self, Number};
+use crate::engine::strips::{Builder, Type, Value};
 
 /// An operation computed by a call, in scratch memory.
 #[derive(Debug)]
-pub(in crate::engine::compiled) struct Call {
+struct Call {
     cell: Cell,
     /// Each operand once, sorted by id, with its width and its first limb.
     operands: Vec<(ValueId, u32, usize)>,
@@ -48,20 +47,20 @@ unsafe extern "C" fn copy(from: *const u64, to: *mut u64, limbs: usize) {
 }
 
 /// Emits a copy of limbs from or to the scratch memory.
-pub(super) fn emit_copy(b: &mut FunctionBuilder, from: Value, to: Value, limbs: usize) {
-    let limbs = b.ins().iconst(types::I64, limbs as i64);
-    b.call(copy as *const () as usize, &[from, to, limbs], false);
+pub(super) fn emit_copy(b: &mut Builder, from: Value, to: Value, limbs: usize) {
+    let limbs = b.constant(Type::I64, limbs as i64);
+    b.call_only(copy as *const () as usize, &[from, to, limbs]);
 }
 
 /// The address of a limb of the scratch memory.
-pub(super) fn address(b: &mut FunctionBuilder, limb: usize) -> Value {
+pub(super) fn address(b: &mut Builder, limb: usize) -> Value {
     let scratch = b.scratch();
-    b.ins().iadd_imm_s(scratch, limb as i64 * 8)
+    b.add_constant(scratch, limb as i64 * 8)
 }
 
 impl Scalars {
     /// The result of `kind`, which has an operand or a result of more than 64 bits.
-    pub(super) fn wide(&mut self, b: &mut FunctionBuilder, kind: &Kind, width: u32) -> Scalar {
+    pub(super) fn wide(&mut self, b: &mut Builder, kind: &Kind, width: u32) -> Scalar {
         let mut is_long = width > LONGEST;
         kind.for_each_operand(|operand| is_long |= self.width(operand) > LONGEST);
         match kind {
@@ -69,29 +68,29 @@ impl Scalars {
             Kind::Slice(of, low) if width <= 64 => {
                 let (first, within) = ((low / 64) as usize, low % 64);
                 let limb = self.limb(b, *of, first);
-                let by = b.ins().iconst(types::I64, i64::from(within));
-                let lower = if within == 0 { limb } else { b.ins().ushr(limb, by) };
+                let by = b.constant(Type::I64, i64::from(within));
+                let lower = if within == 0 { limb } else { b.shr(limb, by) };
                 if within + width <= 64 {
                     return Scalar::integer(width, lower, 64 - within);
                 }
-                let up = b.ins().iconst(types::I64, i64::from(64 - within));
+                let up = b.constant(Type::I64, i64::from(64 - within));
                 let next = self.limb(b, *of, first + 1);
-                let upper = b.ins().ishl(next, up);
-                Scalar::integer(width, b.ins().bor(lower, upper), 64)
+                let upper = b.shl(next, up);
+                Scalar::integer(width, b.or(lower, upper), 64)
             }
             _ if is_long => self.call(b, kind, width),
             Kind::Mux { select, on_true, on_false } => {
                 let select = self.flag(b, *select);
                 let (left, right) = (self.clean(b, *on_true), self.clean(b, *on_false));
                 let pairs = left.into_iter().zip(right);
-                Scalar::limbs(width, pairs.map(|(left, right)| b.ins().select(select, left, right)).collect())
+                Scalar::limbs(width, pairs.map(|(left, right)| b.select(select, left, right)).collect())
             }
             Kind::Binary(op @ (Binary::And | Binary::Or | Binary::Xor), x, y) => {
                 let (left, right) = (self.clean(b, *x), self.clean(b, *y));
                 let combined = left.into_iter().zip(right).map(|(left, right)| match op {
-                    Binary::And => b.ins().band(left, right),
-                    Binary::Or => b.ins().bor(left, right),
-                    _ => b.ins().bxor(left, right),
+                    Binary::And => b.and(left, right),
+                    Binary::Or => b.or(left, right),
+                    _ => b.xor(left, right),
                 });
                 Scalar::limbs(width, combined.collect())
             }
@@ -101,7 +100,7 @@ impl Scalars {
     }
 
     /// Values side by side, the last one lowest.
-    fn side_by_side(&mut self, b: &mut FunctionBuilder, parts: &[ValueId], width: u32) -> Scalar {
+    fn side_by_side(&mut self, b: &mut Builder, parts: &[ValueId], width: u32) -> Scalar {
         let mut whole: Vec<Option<Value>> = vec![None; limbs_for(width)];
         let mut low = 0;
         for &part in parts.iter().rev() {
@@ -110,41 +109,41 @@ impl Scalars {
             for (number, limb) in (0..).zip(self.clean(b, part)) {
                 let at = place + 64 * number;
                 let (first, within) = ((at / 64) as usize, i64::from(at % 64));
-                let mut put = |b: &mut FunctionBuilder, to: usize, value: Value| {
-                    whole[to] = Some(whole[to].map_or(value, |other| b.ins().bor(other, value)));
+                let mut put = |b: &mut Builder, to: usize, value: Value| {
+                    whole[to] = Some(whole[to].map_or(value, |other| b.or(other, value)));
                 };
                 if within == 0 {
                     put(b, first, limb);
                     continue;
                 }
-                let up = b.ins().iconst(types::I64, within);
-                let lower = b.ins().ishl(limb, up);
+                let up = b.constant(Type::I64, within);
+                let lower = b.shl(limb, up);
                 put(b, first, lower);
                 if at / 64 < (low.min(at + 64) - 1) / 64 {
-                    let down = b.ins().iconst(types::I64, 64 - within);
-                    let upper = b.ins().ushr(limb, down);
+                    let down = b.constant(Type::I64, 64 - within);
+                    let upper = b.shr(limb, down);
                     put(b, first + 1, upper);
                 }
             }
         }
-        let mut limb = |limb: Option<Value>| limb.unwrap_or_else(|| b.ins().iconst(types::I64, 0));
+        let mut limb = |limb: Option<Value>| limb.unwrap_or_else(|| b.constant(Type::I64, 0));
         Scalar::limbs(width, whole.into_iter().map(&mut limb).collect())
     }
 
     /// A limb of a value of more than 64 bits.
-    fn limb(&self, b: &mut FunctionBuilder, id: ValueId, limb: usize) -> Value {
+    fn limb(&self, b: &mut Builder, id: ValueId, limb: usize) -> Value {
         let scalar = &self.values[&id];
         match scalar.scratch {
             Some(first) => {
                 let scratch = b.scratch();
-                b.ins().load(types::I64, MemFlagsData::trusted(), scratch, offset(8 * (first + limb)))
+                b.load(Type::I64, scratch, offset(8 * (first + limb)))
             }
             None => scalar.limbs.as_ref().expect("a wide value has limbs")[limb],
         }
     }
 
     /// Calls the semantics, with operands and result in scratch memory; for constants too.
-    pub(super) fn call(&mut self, b: &mut FunctionBuilder, kind: &Kind, width: u32) -> Scalar {
+    pub(super) fn call(&mut self, b: &mut Builder, kind: &Kind, width: u32) -> Scalar {
         let out = b.take(limbs_for(width));
         let taken = b.taken();
         let mut operands: Vec<(ValueId, u32, usize)> = Vec::new();
@@ -158,15 +157,14 @@ impl Scalars {
         });
         operands.sort_unstable_by_key(|(id, ..)| *id);
         let call = Arc::new(Call { cell: Cell::new(kind.clone(), 1, width), operands, out });
-        let arguments = [b.ins().iconst(POINTER, Arc::as_ptr(&call) as i64), b.scratch()];
-        b.calls.push(call);
-        b.call(run as *const () as usize, &arguments, false);
+        let arguments = [b.keep(call), b.scratch()];
+        b.call_only(run as *const () as usize, &arguments);
         if width > LONGEST {
             b.give_back(taken);
             return Scalar::scratch(width, out);
         }
         let scratch = b.scratch();
-        let limb = |i: usize| b.ins().load(types::I64, MemFlagsData::trusted(), scratch, offset(8 * (out + i)));
+        let limb = |i: usize| b.load(Type::I64, scratch, offset(8 * (out + i)));
         let limbs: Vec<Value> = (0..limbs_for(width)).map(limb).collect();
         b.give_back(out);
         match limbs.as_slice() {
@@ -176,7 +174,7 @@ impl Scalars {
     }
 
     /// The place of a value in scratch memory; it is copied there if necessary.
-    fn in_scratch(&mut self, b: &mut FunctionBuilder, id: ValueId) -> usize {
+    fn in_scratch(&mut self, b: &mut Builder, id: ValueId) -> usize {
         if let Some(first) = self.values[&id].scratch {
             return first;
         }
@@ -184,7 +182,7 @@ impl Scalars {
         let first = b.take(limbs.len());
         let scratch = b.scratch();
         for (i, limb) in limbs.into_iter().enumerate() {
-            b.ins().store(MemFlagsData::trusted(), limb, scratch, offset(8 * (first + i)));
+            b.store(limb, scratch, offset(8 * (first + i)));
         }
         first
     }

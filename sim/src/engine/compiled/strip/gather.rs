@@ -1,19 +1,18 @@
 //! Lanes that a strip takes from other lanes.
 
-use cranelift_codegen::ir::{InstBuilder, Value, types};
-
 use super::Strip;
 use crate::engine::compiled::emitter::{Emitter, offset};
 use crate::engine::program::{Cell, Kind, ValueId};
+use crate::engine::strips::{Type, Value};
 
-impl Emitter<'_, '_, '_> {
+impl Emitter<'_, '_> {
     /// Loads the lanes that are each repeated in the strip.
     pub(super) fn repeat_lanes(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, times: u32) {
         let (first, _) = self.divided(strip.first.expect("it has begun"), strip.total, times);
         let mut single = std::mem::take(&mut self.scalars);
         for group in 0..strip.size / times {
             // Padding lanes may load what follows the last lane.
-            let lane = self.builder.ins().iadd_imm_s(first, i64::from(group));
+            let lane = self.builder.add_constant(first, i64::from(group));
             self.load_lane(id, of, lane);
             let loaded = self.scalars.get(id).expect("it was loaded").clone();
             let lanes = (group * times) as usize..((group + 1) * times) as usize;
@@ -30,7 +29,7 @@ impl Emitter<'_, '_, '_> {
         let Cell { lanes, width, .. } = *self.function.cell(of);
         let row: Vec<Value> = (0..lanes)
             .map(|lane| {
-                let (lane, loaded) = (self.builder.ins().iconst(types::I64, i64::from(lane)), self.id());
+                let (lane, loaded) = (self.builder.constant(Type::I64, i64::from(lane)), self.id());
                 self.load_lane(loaded, of, lane);
                 self.scalars.clean(self.builder, loaded)[0]
             })

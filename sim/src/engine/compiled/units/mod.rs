@@ -12,10 +12,7 @@ mod split;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
-
 use super::Compiled;
-use super::builder::FunctionBuilder;
 use super::emitter::{MemoryAt, offset};
 use super::function::{Function, Sink};
 use super::jit::Code;
@@ -23,6 +20,7 @@ use super::layout::{Layout, Place};
 use super::prepare::Prepared;
 use crate::engine::Passes;
 use crate::engine::program::{Kind, Program, UnitId, ValueId};
+use crate::engine::strips::{Builder, Region, Type, Value};
 pub(super) use run::Span;
 use run::{Changes, Crossing, Running, Task};
 pub(super) use split::{From, Part, Split, Units, split};
@@ -314,42 +312,39 @@ impl Shared {
 
 impl Guard {
     /// Runs the unit, unless it has nothing to do.
-    pub fn emit(&self, b: &mut FunctionBuilder, state: Value) {
-        let flags = MemFlagsData::trusted();
-        let mut other = b.ins().load(types::I64, flags, state, offset(self.busy));
+    pub fn emit(&self, b: &mut Builder, state: Value) {
+        let mut other = b.load(Type::I64, state, offset(self.busy));
         for &(now, last) in &self.crossing {
             for (limb, (at, mask)) in now.limbs().enumerate() {
-                let [now, last] = [at, last + 8 * limb].map(|at| b.ins().load(types::I64, flags, state, offset(at)));
-                let mut differs = b.ins().bxor(now, last);
+                let [now, last] = [at, last + 8 * limb].map(|at| b.load(Type::I64, state, offset(at)));
+                let mut differs = b.xor(now, last);
                 if mask != u64::MAX {
-                    differs = b.ins().band_imm_u(differs, mask as i64);
+                    differs = b.and_constant(differs, mask as i64);
                 }
-                other = b.ins().bor(other, differs);
+                other = b.or(other, differs);
             }
         }
-        let (runs, done) = (b.create_block(), b.create_block());
-        b.ins().brif(other, runs, &[], done, &[]);
-        b.switch_to_block(runs);
-        let (unit, scratch) = (b.ins().iconst(types::I64, self.running as i64), b.scratch());
+        b.open();
+        let (unit, scratch) = (b.address(self.running), b.scratch());
         self.code.iter().for_each(|code| code.is_called(b));
-        b.call(run::run as *const () as usize, &[state, unit, scratch], false);
-        b.ins().jump(done, &[]);
-        b.switch_to_block(done);
+        b.call_only(run::run as *const () as usize, &[state, unit, scratch]);
+        let runs = b.close();
+        b.branch(other, runs, Region::new());
     }
 
     /// Counts an edge of each of these units.
-    pub fn emit_count(guards: &[Guard], b: &mut FunctionBuilder, state: Value) {
+    pub fn emit_count(guards: &[Guard], b: &mut Builder, state: Value) {
         let Some(at) = guards.iter().find_map(|guard| guard.edges) else { return };
-        let (flags, at) = (MemFlagsData::trusted(), offset(at));
-        let before = b.ins().load(types::I64, flags, state, at);
-        let after = b.ins().iadd_imm_s(before, guards.len() as i64);
-        b.ins().store(flags, after, state, at);
+        let at = offset(at);
+        let before = b.load(Type::I64, state, at);
+        let after = b.add_constant(before, guards.len() as i64);
+        b.store(after, state, at);
     }
 
     /// Assumes that the unit has something to do.
-    pub fn emit_wake(&self, b: &mut FunctionBuilder, state: Value) {
-        let one = b.ins().iconst(types::I64, 1);
-        b.ins().store(MemFlagsData::trusted(), one, state, offset(self.busy));
+    pub fn emit_wake(&self, b: &mut Builder, state: Value) {
+        let one = b.constant(Type::I64, 1);
+        b.store(one, state, offset(self.busy));
     }
 }
 

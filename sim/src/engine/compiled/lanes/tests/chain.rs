@@ -1,6 +1,5 @@
 //! Chains of random operations, and their expected results.
 
-use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
 
@@ -10,6 +9,7 @@ use super::super::memory::Span;
 use crate::engine::compiled::jit::Jit;
 use crate::engine::program::{Cell, Kind, ValueId};
 use crate::engine::semantics::{self, Number};
+use crate::engine::strips::{Type, Value};
 
 pub struct Random(pub u64);
 
@@ -251,7 +251,7 @@ impl Chain {
                 let strip = self.strip_of(i, state);
                 match &node.kind {
                     Kind::State if node.uniform => {
-                        let scalar = b.ins().iconst(types::I64, node.lanes[0] as i64);
+                        let scalar = b.constant(Type::I64, node.lanes[0] as i64);
                         lanes.splat(b, Self::id(i), node.width, scalar);
                     }
                     Kind::State => lanes.load(b, Self::id(i), node.width, strip),
@@ -266,8 +266,8 @@ impl Chain {
             for i in (0..self.nodes.len()).filter(|&i| late && self.nodes[i].kind != Kind::State) {
                 lanes.store(b, Self::id(i), self.strip_of(i, state));
             }
-            let zero = b.ins().iconst(types::I64, 0);
-            b.ins().return_(&[zero]);
+            let zero = b.constant(Type::I64, 0);
+            b.give(zero);
         });
         let mut state = Aligned::new(self.size + 256);
         let memory = state.bytes();

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, types};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Reduction, Shift, Unary};
 
@@ -13,6 +12,7 @@ use super::memory::Span;
 use super::*;
 use crate::engine::compiled::jit::Jit;
 use crate::engine::compiled::target::tests::least;
+use crate::engine::strips::{Builder, Type, Value};
 use chain::{Random, chain};
 
 /// A chain from each seed, with each strip.
@@ -82,12 +82,12 @@ fn shifts_by_all_amounts_are_as_lane_by_lane() {
 
 /// Calls code that stores numbers in memory.
 #[allow(unsafe_code, reason = "calls generated code")]
-fn run(memory: &mut [u64], body: impl FnOnce(&mut FunctionBuilder, Value)) {
+fn run(memory: &mut [u64], body: impl FnOnce(&mut Builder, Value)) {
     let mut jit = Jit::new().unwrap();
     let code = jit.function(|b, state, _| {
         body(b, state);
-        let zero = b.ins().iconst(types::I64, 0);
-        b.ins().return_(&[zero]);
+        let zero = b.constant(Type::I64, 0);
+        b.give(zero);
     });
     // SAFETY: the tests' code stays within the memory.
     unsafe { code.call(memory.as_mut_ptr().cast(), 0, std::ptr::null_mut()) };
@@ -110,30 +110,28 @@ fn lanes_are_gathered_extracted_and_combined() {
                 memory.resize(4 * n + 3, 0);
                 run(&mut memory, |b, state| {
                     let mut lanes = Lanes::new(strip);
-                    let flags = MemFlagsData::trusted();
                     let (x, y, not) = (ValueId(0), ValueId(1), ValueId(2));
-                    let scalars: Vec<Value> =
-                        (0..2 * n).map(|i| b.ins().load(types::I64, flags, state, 8 * i as i32)).collect();
+                    let scalars: Vec<Value> = (0..2 * n).map(|i| b.load(Type::I64, state, 8 * i as i32)).collect();
                     lanes.gather(b, x, width, &scalars[..n]);
                     lanes.gather(b, y, width, &scalars[n..]);
                     // Undefined upper bits, and back.
                     lanes.evaluate(b, not, &Kind::Unary(Unary::Not, x), width);
                     for lane in 0..n {
                         let [x, not] = [x, not].map(|id| lanes.extract(b, id, lane as u32));
-                        b.ins().store(flags, x, state, 8 * (2 * n + lane) as i32);
-                        b.ins().store(flags, not, state, 8 * (3 * n + lane) as i32);
+                        b.store(x, state, 8 * (2 * n + lane) as i32);
+                        b.store(not, state, 8 * (3 * n + lane) as i32);
                     }
                     let [x, y] = [x, y].map(|id| lanes.carried(b, id));
                     let start = lanes.neutral(b, by, width);
                     let all = lanes.combine(b, by, &start, &x);
                     let all = lanes.combine(b, by, &all, &y);
                     let all = lanes.reduce(b, by, &all);
-                    b.ins().store(flags, all, state, 32 * n as i32);
+                    b.store(all, state, 32 * n as i32);
                     if width == 1 {
                         for (i, id) in [ValueId(0), not].into_iter().enumerate() {
                             let any = lanes.any(b, id);
-                            let any = b.ins().uextend(types::I64, any);
-                            b.ins().store(flags, any, state, (32 * n + 8 * (i + 1)) as i32);
+                            let any = b.zero_extend(Type::I64, any);
+                            b.store(any, state, (32 * n + 8 * (i + 1)) as i32);
                         }
                     }
                 });
@@ -170,9 +168,8 @@ fn old_lanes_remain_where_a_mask_is_zero() {
             run(&mut memory, |b, state| {
                 let mut strips = Lanes::new(strip);
                 for (j, width) in [1, width, width].into_iter().enumerate() {
-                    let numbers: Vec<Value> = (0..strip as i32)
-                        .map(|i| b.ins().load(types::I64, MemFlagsData::trusted(), state, 128 * j as i32 + 8 * i))
-                        .collect();
+                    let numbers: Vec<Value> =
+                        (0..strip as i32).map(|i| b.load(Type::I64, state, 128 * j as i32 + 8 * i)).collect();
                     strips.gather(b, ValueId(j as u32), width, &numbers);
                 }
                 let to = Span { storage, address: state, offset: 384, aligned: false };

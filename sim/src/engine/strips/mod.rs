@@ -1,0 +1,15 @@
+//! The strip program: what a function does, instruction by instruction, before it is machine code.
+//!
+//! It is straight-line code in regions: loops, choices and what runs only if a flag is 1. Loads and stores name an address and an offset. The machine
+//! that runs it is described elsewhere; here vectors have 128 bits.
+
+mod builder;
+mod methods;
+mod operation;
+mod program;
+mod value;
+
+pub(super) use builder::{Builder, Kept};
+pub(super) use operation::{Binary, Comparison, Load, Operation, Unary};
+pub(super) use program::{Loop, Program, Region, Statement};
+pub(super) use value::{Type, Value};
