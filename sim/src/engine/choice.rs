@@ -4,7 +4,8 @@ use std::cell::OnceCell;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-use crate::engine::compiled::{self, Compiled, SharedCode, Slot};
+use crate::engine::compiled::{Compiled, Slot};
+use crate::engine::cranelift::{SharedCode, unsupported};
 use crate::engine::lockstep::Lockstep;
 use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::{Beginning, Engine};
@@ -49,7 +50,7 @@ impl EngineKind {
     /// ```
     pub fn refused(self) -> Option<String> {
         let needs_code = matches!(self, EngineKind::Compiled | EngineKind::Both);
-        needs_code.then(compiled::unsupported).flatten().map(|reason| reason.to_string())
+        needs_code.then(unsupported).flatten().map(|reason| reason.to_string())
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod choice;
 mod compiled;
+mod cranelift;
 pub(crate) mod explain;
 mod fields;
 mod interpreter;
@@ -25,7 +26,7 @@ use tilewright_hdl::Bits;
 pub use choice::EngineKind;
 pub(crate) use choice::Started;
 pub(crate) use compiled::Slot;
-pub use compiled::Unsupported;
+pub use cranelift::Unsupported;
 pub use explain::{Explained, Pass, explain};
 pub use passes::Passes;
 use program::{Memory, Program, Triggers, ValueId};

@@ -35,7 +35,7 @@ bundle! {
 
 /// A row whose cells see their sum.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Mixer;
+pub(super) struct Mixer;
 
 impl Block for Mixer {
     type In = ();
@@ -99,7 +99,7 @@ bundle! {
 
 /// A memory full of ones.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Filled;
+pub(super) struct Filled;
 
 impl Block for Filled {
     type In = FilledIn;

@@ -6,6 +6,7 @@ mod functions;
 mod late;
 mod pack;
 mod quiet;
+mod strips;
 mod units;
 mod versions;
 

@@ -4,8 +4,8 @@ use tilewright_hdl::Bits;
 
 use super::Compiled;
 use super::function::{Function, Held, Maker};
-use super::jit::Code;
 use super::look::Rest;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Triggers, ValueId};
 use crate::engine::{Done, start};
 

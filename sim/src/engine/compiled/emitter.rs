@@ -90,6 +90,13 @@ impl Addresses {
     pub(super) fn of(&self, id: ValueId) -> Place {
         self.places[id.index()].expect("what is read from memory has a place")
     }
+
+    /// The value at an offset in the state.
+    pub(super) fn value_at(&self, offset: usize) -> Option<ValueId> {
+        let placed = self.places.iter().enumerate().filter_map(|(id, place)| Some((ValueId(id as u32), (*place)?)));
+        let mut all = placed.chain(self.waiting.iter().copied());
+        all.find(|(_, place)| (place.offset..place.lane(place.lanes)).contains(&offset)).map(|(id, _)| id)
+    }
 }
 
 /// Emits a function.

@@ -11,11 +11,11 @@ use tilewright_hdl::{limbs_for, top_mask};
 use super::Compiled;
 use super::emitter::MemoryAt;
 use super::function::{Function, Sink};
-use super::jit::Code;
 use super::layout::Place;
 use super::prepare::{Prepared, Times};
 use super::store::Cells;
 use super::strips::Strips;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 use crate::engine::semantics::{self, Number};
 

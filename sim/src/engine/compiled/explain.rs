@@ -4,7 +4,9 @@ use std::fmt::Write;
 
 use tilewright_hdl::Bits;
 
+use super::emitter::{Addresses, Emitter, MemoryAt};
 use super::function::{Function, Held, Maker, Sink};
+use super::layout::Layout;
 use super::passes::{self, Seen};
 use super::plan::{Kernel, Plan};
 use super::sequence::Step;
@@ -13,10 +15,11 @@ use super::units::{From, Part, Split, Units, split};
 use super::{bank, held_inputs};
 use crate::engine::explain::{Names, Pass, Text};
 use crate::engine::program::{Program, UnitId, ValueId};
+use crate::engine::strips::{self, Builder, Notes};
 
 /// The result of each pass for an edge of each clock.
 pub(in crate::engine) fn explain(program: &Program) -> Vec<(Pass, String)> {
-    let passes = [Pass::Edge, Pass::Hold, Pass::Lower, Pass::Plan, Pass::Branch, Pass::Sequence];
+    let passes = [Pass::Edge, Pass::Hold, Pass::Lower, Pass::Plan, Pass::Branch, Pass::Sequence, Pass::Strips];
     let mut all: Vec<(Pass, String)> = passes.map(|pass| (pass, String::new())).to_vec();
     for (clock, declared) in program.clocks.iter().enumerate() {
         for (pass, text) in edge(program, clock) {
@@ -39,6 +42,8 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
 
     let strips = Strips::of(program);
     let (memories, _banks) = bank::banks(program, &strips);
+    let mut layout = Layout::new(strips.clone());
+    let (places, _apart) = super::units::places(program, &mut layout);
     let mut lowered = names.clone();
     passes::plan(&function, &strips, &memories, &program.passes, &mut |seen| match seen {
         Seen::Lowered(function, became) => {
@@ -49,6 +54,9 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
         Seen::Branched(function, plan) => all.push((Pass::Branch, planned(program, function, plan, &lowered))),
         Seen::Sequenced(function, plan, pieces) => {
             all.push((Pass::Sequence, sequenced(program, function, plan, pieces, &lowered)));
+            let addresses = Addresses::new(function, plan, places.iter().filter_map(|place| *place), &mut layout);
+            let of = Emitted { program, function, plan, addresses: &addresses, memories: &memories, strips: &strips };
+            all.push((Pass::Strips, of.pieces(pieces, &lowered)));
         }
     });
     all
@@ -186,4 +194,44 @@ fn sequenced(program: &Program, function: &Function, plan: &Plan, pieces: &[Vec<
         }
     }
     out
+}
+
+/// What the instructions of a function are made of.
+struct Emitted<'a> {
+    program: &'a Program,
+    function: &'a Function,
+    plan: &'a Plan,
+    addresses: &'a Addresses,
+    memories: &'a [MemoryAt],
+    strips: &'a Strips,
+}
+
+impl Emitted<'_> {
+    /// The instructions of each piece, without versions of loops.
+    fn pieces(&self, pieces: &[Vec<Step>], names: &Names) -> String {
+        let Emitted { program, function, plan, addresses, memories, strips } = *self;
+        let mut text = Text::with(program, function.circuit(), names.clone());
+        let _ = text.values(function.needed().into_iter());
+        let state = |offset: usize| Some(text.name(addresses.value_at(offset)?));
+        let memory = |address: usize| {
+            let index = memories.iter().position(|memory| memory.address == address)?;
+            Some(text.memory(index as u32).to_owned())
+        };
+        let notes = Notes { state: &state, address: &memory };
+        let mut out = String::new();
+        for (number, steps) in pieces.iter().enumerate() {
+            let mut builder = Builder::new();
+            let [state, ..] = strips::Program::PARAMETERS;
+            let mut emitter = Emitter::new(function, plan, addresses, memories, strips, &mut builder, state);
+            emitter.steps(steps);
+            if number + 1 == pieces.len()
+                && let Some(held) = emitter.end()
+            {
+                builder.give(held);
+            }
+            let (strips, _kept) = builder.finish();
+            let _ = write!(out, "piece {number}\n{}", strips.text(&notes));
+        }
+        out
+    }
 }

@@ -6,10 +6,10 @@ use std::collections::BTreeSet;
 
 use super::Compiled;
 use super::function::{Held, Maker};
-use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
 use super::view::View;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Circuit, Kind, Triggers, ValueId};
 
 /// The most values that a look computes for an edge, whatever it shows. Beyond that, it keeps only those that it

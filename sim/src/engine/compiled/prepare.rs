@@ -3,7 +3,6 @@
 use super::Compiled;
 use super::emitter::{self, Addresses, Emitter, MemoryAt};
 use super::function::{Function, Sink};
-use super::jit::Code;
 use super::layout::Place;
 use super::passes::{self, Planned};
 use super::plan::Plan;
@@ -12,6 +11,7 @@ use super::strips::Strips;
 use super::units::Guard;
 use super::versions::{TableAt, Versions};
 use crate::engine::Passes;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::{Builder, Loop, Region, Type, Value};
 

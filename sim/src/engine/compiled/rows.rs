@@ -7,10 +7,10 @@ use tilewright_hdl::limbs_for;
 
 use super::Compiled;
 use super::function::Maker;
-use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
 use super::store::Store;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Triggers, ValueId};
 use crate::engine::{Done, LINE};
 

@@ -2,9 +2,9 @@
 
 use super::Compiled;
 use super::function::{Held, Maker};
-use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::until::{Order, Until};
 

@@ -18,11 +18,11 @@ use super::Compiled;
 use super::branch::{self, Known};
 use super::emitter::{Addresses, Emitter, offset};
 use super::function::Function;
-use super::jit::Code;
 use super::layout::{Layout, Place};
 use super::plan::{Kernel, Plan};
 use super::store::Store;
 use crate::engine::Passes;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::{Comparison, Type};
 

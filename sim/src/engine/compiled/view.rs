@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 use rustc_hash::FxHashSet;
 
 use super::function::Maker;
-use super::jit::Code;
 use super::layout::Place;
 use super::prepare::Prepared;
 use super::{Compiled, HELD};
 use crate::engine::Engine;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Triggers, ValueId};
 
 /// A function that stores values for reading.

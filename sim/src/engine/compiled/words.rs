@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::ops::Deref;
 use std::ptr::NonNull;
 
-use super::pages::Guarded;
+use crate::engine::cranelift::Guarded;
 
 /// Bytes of a cache line, to which they are aligned.
 pub(super) const LINE: usize = 64;

@@ -37,6 +37,8 @@ pub enum Pass {
     Branch,
     /// Puts everything in sequence, cut into functions where it is long.
     Sequence,
+    /// Writes the instructions: loops over strips of lanes, loads, vectors, stores.
+    Strips,
 }
 
 impl Pass {
@@ -48,7 +50,7 @@ impl Pass {
     /// let by_name = |name: &str| Pass::ALL.into_iter().find(|pass| pass.name() == name);
     /// assert_eq!(by_name("fold"), Some(Pass::Fold));
     /// ```
-    pub const ALL: [Pass; 14] = [
+    pub const ALL: [Pass; 15] = [
         Pass::Flatten,
         Pass::Siblings,
         Pass::Share,
@@ -63,6 +65,7 @@ impl Pass {
         Pass::Plan,
         Pass::Branch,
         Pass::Sequence,
+        Pass::Strips,
     ];
 
     /// Its name, as `tilewright explain --pass` accepts it.
@@ -88,6 +91,7 @@ impl Pass {
             Pass::Plan => "plan",
             Pass::Branch => "branch",
             Pass::Sequence => "sequence",
+            Pass::Strips => "strips",
         }
     }
 
@@ -114,6 +118,7 @@ impl Pass {
             Pass::Plan => "Values of one lane stay in machine registers; loops go over lanes.",
             Pass::Branch => "A loop in which all lanes choose by one small value gets a variant for each number.",
             Pass::Sequence => "Everything is put in sequence, cut into functions where it is long.",
+            Pass::Strips => "Each function is a program of loops over strips of lanes, loads, vectors and stores.",
         }
     }
 }

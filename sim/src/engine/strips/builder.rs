@@ -29,10 +29,10 @@ impl Builder {
         Builder { program, outer: Vec::new(), taken: 0, kept: Kept::new() }
     }
 
-    /// The program, and the objects that it refers to.
+    /// The program, without what it does not use, and the objects that it refers to.
     pub fn finish(self) -> (Program, Kept) {
         debug_assert!(self.outer.is_empty(), "a region is open");
-        (self.program, self.kept)
+        (self.program.without_unused(), self.kept)
     }
 
     /// The type of a value.

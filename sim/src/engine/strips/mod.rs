@@ -4,12 +4,20 @@
 //! that runs it is described elsewhere; here vectors have 128 bits.
 
 mod builder;
+#[cfg(test)]
+mod evaluate;
 mod methods;
 mod operation;
 mod program;
+mod text;
+mod unused;
 mod value;
+mod verify;
 
 pub(super) use builder::{Builder, Kept};
+#[cfg(test)]
+pub(super) use evaluate::Memory;
 pub(super) use operation::{Binary, Comparison, Load, Operation, Unary};
 pub(super) use program::{Loop, Program, Region, Statement};
+pub(super) use text::Notes;
 pub(super) use value::{Type, Value};

@@ -38,6 +38,25 @@ pub(in crate::engine) enum Operation {
     Call(Value, Vec<Value>),
 }
 
+impl Operation {
+    /// Visits the values that it uses, each as often as it does.
+    pub fn for_each_operand(&self, mut visit: impl FnMut(Value)) {
+        match self {
+            Operation::Parameter | Operation::Constant(_) | Operation::Address(_) | Operation::Bytes(_) => {}
+            Operation::Unary(_, of) | Operation::Lane(of, _) | Operation::Load { address: of, .. } => visit(*of),
+            Operation::Binary(_, x, y)
+            | Operation::Compare(_, x, y)
+            | Operation::Shuffle(x, y, _)
+            | Operation::WithLane(x, y, _) => [*x, *y].into_iter().for_each(visit),
+            Operation::Select(x, y, z) | Operation::Blend(x, y, z) => [*x, *y, *z].into_iter().for_each(visit),
+            Operation::Call(function, arguments) => {
+                visit(*function);
+                arguments.iter().for_each(|argument| visit(*argument));
+            }
+        }
+    }
+}
+
 /// How a load fills its type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(in crate::engine) enum Load {

@@ -13,10 +13,10 @@ mod way;
 use std::collections::BTreeSet;
 
 use super::Compiled;
-use super::jit::Code;
 use super::layout::Place;
 use super::units::{Span, span};
 use crate::engine::Done;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Program, Triggers, ValueId};
 use way::Way;
 

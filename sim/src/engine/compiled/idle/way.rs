@@ -8,9 +8,9 @@ use super::COUNTING;
 use super::counting::{self, Counting};
 use crate::engine::compiled::Compiled;
 use crate::engine::compiled::function::Maker;
-use crate::engine::compiled::jit::Code;
 use crate::engine::compiled::layout::Place;
 use crate::engine::compiled::prepare::Prepared;
+use crate::engine::cranelift::Code;
 use crate::engine::program::{Kind, Register, ValueId};
 
 /// A way to rest. Where there is no code, there is nothing to do.

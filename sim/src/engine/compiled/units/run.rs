@@ -7,7 +7,7 @@
 
 use std::cell::Cell;
 
-use super::super::jit::Code;
+use crate::engine::cranelift::Code;
 
 /// Edges between two comparisons, first and at most.
 const FIRST: u64 = 2;

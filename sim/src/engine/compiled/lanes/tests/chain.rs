@@ -6,7 +6,7 @@ use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
 use super::super::Lanes;
 use super::super::emit::low_mask;
 use super::super::memory::Span;
-use crate::engine::compiled::jit::Jit;
+use crate::engine::cranelift::Jit;
 use crate::engine::program::{Cell, Kind, ValueId};
 use crate::engine::semantics::{self, Number};
 use crate::engine::strips::{Type, Value};

@@ -10,8 +10,8 @@ mod chain;
 use super::emit::low_mask;
 use super::memory::Span;
 use super::*;
-use crate::engine::compiled::jit::Jit;
-use crate::engine::compiled::target::tests::least;
+use crate::engine::cranelift::Jit;
+use crate::engine::cranelift::least;
 use crate::engine::strips::{Builder, Type, Value};
 use chain::{Random, chain};
 

@@ -38,7 +38,7 @@ impl SharedCode {
     /// # Errors
     ///
     /// Those of `make`.
-    pub(super) fn find_or_make(
+    pub(in crate::engine) fn find_or_make(
         &self,
         program: Program,
         make: impl FnOnce(&Program) -> Result<Made, Unsupported>,

@@ -13,7 +13,7 @@ use super::pages::CodePages;
 use super::shared::SharedCode;
 use super::target::{Unsupported, host};
 use super::translate::{signature, translate};
-use crate::engine::strips::{Builder, Kept, Program, Type, Value};
+use crate::engine::strips::{Builder, Kept, Notes, Program, Type, Value};
 
 /// A generated function: takes the addresses of the state and of scratch memory and a number, and returns a number.
 type Entry = unsafe extern "C" fn(*mut u8, u64, *mut u64) -> u64;
@@ -25,7 +25,7 @@ const CALLED: usize = 64 << 10;
 
 /// A function of generated code.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Code {
+pub(in crate::engine) struct Code {
     entry: Entry,
     /// Bytes of stack that it takes, including the functions that it calls.
     stack: usize,
@@ -100,14 +100,14 @@ impl Code {
 }
 
 /// A function in memory.
-pub(super) struct Made {
+pub(in crate::engine) struct Made {
     code: Code,
     /// Where it is.
     _pages: CodePages,
 }
 
 /// Makes functions, and keeps them in memory.
-pub(super) struct Jit {
+pub(in crate::engine) struct Jit {
     target: OwnedTargetIsa,
     context: Context,
     made: Vec<Arc<Made>>,
@@ -160,6 +160,11 @@ impl Jit {
         let [state, argument, _] = Program::PARAMETERS;
         body(&mut builder, state, argument);
         let (program, kept) = builder.finish();
+        if cfg!(debug_assertions)
+            && let Err(rule) = program.verify()
+        {
+            panic!("a strip program breaks a rule: {rule}\n{}", program.text(&Notes::NONE));
+        }
         self.kept.extend(kept);
         self.scratch = self.scratch.max(program.scratch);
         let (context, target) = (&mut self.context, &*self.target);
@@ -209,7 +214,7 @@ impl std::fmt::Debug for Jit {
 
 /// Why no code can be generated for this machine, if none can. A small function is made to find out, because a system
 /// may forbid it.
-pub(crate) fn unsupported() -> Option<Unsupported> {
+pub(in crate::engine) fn unsupported() -> Option<Unsupported> {
     static REFUSED: OnceLock<Option<Unsupported>> = OnceLock::new();
     let try_one = || {
         let returning = |b: &mut Builder, _, argument| b.give(argument);

@@ -14,7 +14,7 @@ struct Pages(Allocation);
 unsafe impl Send for Pages {}
 
 /// Machine code, which is executable and not writable.
-pub(super) struct CodePages(Pages);
+pub(in crate::engine) struct CodePages(Pages);
 
 // SAFETY: nothing but its end, which one thread sees, changes the pages.
 #[allow(unsafe_code, reason = "any thread may read and run code")]
@@ -50,7 +50,7 @@ impl CodePages {
 }
 
 /// Numbers, zeros at first, that end at a protected page; another protected page is before them.
-pub(super) struct Guarded {
+pub(in crate::engine) struct Guarded {
     pages: Pages,
     /// Bytes before the first.
     skipped: usize,

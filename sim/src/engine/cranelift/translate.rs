@@ -1,5 +1,8 @@
 //! From a strip program to Cranelift's instructions.
 
+#[cfg(test)]
+mod tests;
+
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{
     self, AbiParam, Block, BlockArg, BlockCall, ConstantData, DataFlowGraph, Endianness, InsertBuilder, Inst,
@@ -11,7 +14,7 @@ use crate::engine::strips::Loop;
 use crate::engine::strips::{Binary, Comparison, Load, Operation, Program, Statement, Type, Unary, Value};
 
 /// A function of numbers; it returns a number if `returns`.
-pub(super) fn signature(convention: CallConv, parameters: usize, returns: bool) -> Signature {
+pub(in crate::engine) fn signature(convention: CallConv, parameters: usize, returns: bool) -> Signature {
     let mut signature = Signature::new(convention);
     signature.params.extend(vec![AbiParam::new(types::I64); parameters]);
     signature.returns.extend(returns.then(|| AbiParam::new(types::I64)));
@@ -19,7 +22,7 @@ pub(super) fn signature(convention: CallConv, parameters: usize, returns: bool) 
 }
 
 /// Writes the instructions of a program into a function, which is empty and has its signature.
-pub(super) fn translate(program: &Program, func: &mut ir::Function) {
+pub(in crate::engine) fn translate(program: &Program, func: &mut ir::Function) {
     let block = func.dfg.make_block();
     func.layout.append_block(block);
     let mut translator =

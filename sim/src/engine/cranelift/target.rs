@@ -19,10 +19,10 @@ use target_lexicon::Triple;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("no code can be generated for this machine ({0})")]
-pub struct Unsupported(pub(super) String);
+pub struct Unsupported(pub(in crate::engine) String);
 
 /// The machine that it runs on, which is determined once.
-pub(super) fn host() -> Result<OwnedTargetIsa, Unsupported> {
+pub(in crate::engine) fn host() -> Result<OwnedTargetIsa, Unsupported> {
     static HOST: OnceLock<Result<OwnedTargetIsa, Unsupported>> = OnceLock::new();
     HOST.get_or_init(|| target(&features())).clone()
 }
@@ -33,7 +33,7 @@ const NEEDED: [(&str, &str); 3] = [("has_sse3", "SSE3"), ("has_ssse3", "SSSE3"),
 
 /// A machine like this one, with these processor features. Cranelift's optimisation is off: netlists come optimised,
 /// and its global value numbering lengthens live ranges.
-pub(super) fn target(features: &[&str]) -> Result<OwnedTargetIsa, Unsupported> {
+pub(in crate::engine) fn target(features: &[&str]) -> Result<OwnedTargetIsa, Unsupported> {
     let unsupported = |error: &dyn std::fmt::Display| Unsupported(error.to_string());
     if cfg!(target_endian = "big") {
         return Err(Unsupported("it is big-endian".to_owned()));
@@ -101,7 +101,7 @@ fn features() -> Vec<&'static str> {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(in crate::engine) mod tests {
     use super::*;
 
     /// A machine with the required features only.
