@@ -22,12 +22,22 @@ fn every_pass_of_every_block_is_explained_the_same_each_time() {
         let arguments = format!("explain {} --json", block["name"].as_str().unwrap());
         let report = folder.json(&arguments);
         let passes = report["passes"].as_array().unwrap();
-        assert_eq!(passes.len(), 14, "{arguments}");
+        assert_eq!(passes.len(), 15, "{arguments}");
         for pass in passes {
             assert!(!pass["text"].as_str().unwrap().is_empty(), "{arguments}: {pass}");
         }
         assert_eq!(report, folder.json(&arguments));
     }
+}
+
+#[test]
+fn the_instructions_of_a_bench_are_shown_with_the_names_of_what_they_access() {
+    let text = Folder::new().stdout("explain core1 --pass strips");
+    assert!(text.lines().any(|line| line.starts_with("v0: i64 = load [state")), "{text}");
+    assert!(text.lines().any(|line| line.contains("store i") && line.ends_with("; u_processor.pc")), "{text}");
+    let run = Folder::new().run("explain core1 --set width=3");
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("core1 has no parameters but the numbers of its name"), "{}", run.stderr);
 }
 
 #[test]
