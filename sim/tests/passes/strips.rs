@@ -88,21 +88,20 @@ fn a_sum_of_lanes_and_a_loop_that_uses_it() {
         v15: i8 = lane 0 of i8x16 v14
         v16: i64 = zero_extend i8 v15
         store i64 [state + 384] v16              ; all
-        v17: i8 = truncate i64 v16
-        v18: i8x16 = splat i8 v17
-        loop v19 = 0
-          v20: i64 = add state v19
-          v21: i8x16 = load [v20 + 128]            ; u_cell.q
-          v22: i8x16 = and v21 0x1f
-          v23: i16x8 = cast i8x16 v22
-          v24: i16x8 = shl v23 3
-          v25: i8x16 = cast i16x8 v24
-          v26: i8x16 = xor v25 v21
-          v27: i8x16 = add v26 v18
-          store i8x16 [v20 + 128] v27              ; u_cell.q
-          v28: i64 = add v19 16
-          v29: i8 = ult i64 v28 64
-        again if v29 with v28
+        v17: i8x16 = splat i8 v15
+        loop v18 = 0
+          v19: i64 = add state v18
+          v20: i8x16 = load [v19 + 128]            ; u_cell.q
+          v21: i8x16 = and v20 0x1f
+          v22: i16x8 = cast i8x16 v21
+          v23: i16x8 = shl v22 3
+          v24: i8x16 = cast i16x8 v23
+          v25: i8x16 = xor v24 v20
+          v26: i8x16 = add v25 v17
+          store i8x16 [v19 + 128] v26              ; u_cell.q
+          v27: i64 = add v18 16
+          v28: i8 = ult i64 v27 64
+        again if v28 with v27
     ",
     );
 }
@@ -122,11 +121,9 @@ fn a_memory() {
         store i64 [state + 16] v4                ; data
         v5: i64 = load [state + 8]               ; word
         v6: i64 = xor v5 255
-        v7: i8 = truncate i64 1
-        if v7
-          v8: i64 = add @0 v0
-          v9: i8 = truncate i64 v6
-          store i8 [v8] v9                         ; words
+        v7: i64 = add @0 v0
+        v8: i8 = truncate i64 v6
+        store i8 [v7] v8                         ; words
     ",
     );
 }

@@ -40,6 +40,11 @@ impl Builder {
         self.program.type_of(value)
     }
 
+    /// The definition of a value.
+    pub(super) fn operation(&self, value: Value) -> &Operation {
+        &self.program.values[value.index()].0
+    }
+
     /// Adds a step.
     fn push(&mut self, statement: Statement) {
         self.program.body.push(statement);
@@ -194,7 +199,11 @@ impl Builder {
 
     /// Runs a region if a flag is not zero, else the other one.
     pub fn branch(&mut self, flag: Value, then: Region, otherwise: Region) {
-        self.push(Statement::If { flag, then, otherwise });
+        match self.operation(flag) {
+            Operation::Constant(0) => self.program.body.extend(otherwise),
+            Operation::Constant(_) => self.program.body.extend(then),
+            _ => self.push(Statement::If { flag, then, otherwise }),
+        }
     }
 
     /// Runs the region whose number the table has for an integer.
@@ -238,5 +247,35 @@ impl Builder {
     /// Frees everything allocated since `taken` limbs were in use.
     pub fn give_back(&mut self, taken: usize) {
         self.taken = taken;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::text::Notes;
+    use super::*;
+
+    #[test]
+    fn what_is_known_costs_nothing() {
+        let mut b = Builder::new();
+        let [state, argument, _] = Program::PARAMETERS;
+        let byte = b.load(Type::I8, state, 8);
+        let wide = b.zero_extend(Type::I64, byte);
+        let (narrow, other) = (b.truncate(Type::I8, wide), b.truncate(Type::I32, wide));
+        assert_eq!((narrow, other == wide), (byte, false));
+        for (number, stored) in [(0x1ff, "store i8 [state + 24] 255"), (0x200, "store i8 [state + 16] 0")] {
+            let mut b = Builder::new();
+            let known = b.constant(Type::I64, number);
+            let flag = b.truncate(Type::I8, known);
+            let regions = [24, 16].map(|offset| {
+                b.open();
+                b.store(flag, state, offset);
+                b.close()
+            });
+            let [then, otherwise] = regions;
+            b.branch(flag, then, otherwise);
+            b.give(argument);
+            assert_eq!(b.finish().0.text(&Notes::NONE), format!("{stored}\nreturn argument\n"));
+        }
     }
 }

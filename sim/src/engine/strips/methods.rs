@@ -80,7 +80,6 @@ macro_rules! converted {
 converted! {
     zero_extend is ZeroExtend: "With zeros above.",
     sign_extend is SignExtend: "With the sign above.",
-    truncate is Truncate: "The lower bits.",
     splat is Splat: "An integer in all lanes.",
     lowest is Lowest: "An integer in the lowest lane, zeros above.",
     floats is ToFloat: "Floats of signed integers.",
@@ -89,6 +88,18 @@ converted! {
 }
 
 impl Builder {
+    /// The lower bits. Those of what was extended from so many are itself.
+    pub fn truncate(&mut self, ty: Type, of: Value) -> Value {
+        match *self.operation(of) {
+            Operation::Unary(Unary::ZeroExtend | Unary::SignExtend, narrow) if self.type_of(narrow) == ty => narrow,
+            Operation::Constant(number) => {
+                let ones = i64::MAX >> (63 - ty.element());
+                self.constant(ty, number & ones)
+            }
+            _ => self.to(Unary::Truncate, ty, of),
+        }
+    }
+
     /// The same 128 bits in another type.
     pub fn cast(&mut self, ty: Type, of: Value) -> Value {
         if self.type_of(of) == ty { of } else { self.to(Unary::Cast, ty, of) }
