@@ -213,7 +213,7 @@ pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, e
 pub use testbench::{
     Answer, Batch, Cause, Checkpoint, CheckpointError, Condition, Covered, End, Error, Fst, IntoValue, Limits, Message,
     Messages, Monitor, Part, Pauses, Port, Probe, Process, Processes, Recorder, Simulation, StateDifference, Testbench,
-    Trace, UnknownName, Unremembered, Unrepeated, Vcd, Violation, Wave, WaveRadix, monitor,
+    Trace, UnknownName, Unremembered, Unrepeated, Vcd, Violation, Wave, WaveLine, WaveLines, WaveRadix, monitor,
 };
 #[doc(hidden)]
 pub use testbench::{Traced, example, for_examples, traced};

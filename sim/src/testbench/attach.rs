@@ -220,19 +220,24 @@ impl Running {
     /// Draws a wave of one run.
     #[track_caller]
     pub fn record(&mut self, run: u32, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
+        let wave = self.blank_wave(run, what);
+        self.engine.watch(&wave.values());
+        self.observe_by(Box::new(Draw(wave.clone())));
+        wave
+    }
+
+    /// A wave of one run without columns.
+    #[track_caller]
+    pub fn blank_wave(&mut self, run: u32, what: impl IntoIterator<Item = impl Into<Probe>>) -> Wave {
         let mut sources = Vec::new();
         for probe in what {
             sources.extend(self.sources(run, probe.into()));
         }
-        self.engine.watch(&sources.iter().map(|source| source.value).collect::<Vec<_>>());
         let clocks = self.program.clocks.iter().map(|clock| {
             let (name, period, falls) = (clock.port.clone(), clock.period, clock.falls);
             ClockLine { name, period, falls }
         });
-        let clocks = clocks.collect();
-        let wave = Wave::new(clocks, sources);
-        self.observe_by(Box::new(Draw(wave.clone())));
-        wave
+        Wave::new(clocks.collect(), sources)
     }
 
     /// Of a port its path in the bundle, with the lane of its name; of anything else the name.

@@ -41,4 +41,4 @@ pub use port::{IntoValue, Port};
 pub use processes::{Answer, Monitor, Pauses, Process, Processes, Testbench, monitor};
 pub use replay::Unrepeated;
 pub use simulation::Simulation;
-pub use trace::{Fst, Message, Messages, Recorder, Trace, Vcd, Wave, WaveRadix};
+pub use trace::{Fst, Message, Messages, Recorder, Trace, Vcd, Wave, WaveLine, WaveLines, WaveRadix};

@@ -30,8 +30,8 @@ pub use recording::Recorder;
 pub(crate) use start::{Poked, Start};
 pub(crate) use vcd::VcdFile;
 pub(crate) use vcd_header::header;
-pub use wave::Wave;
 pub(crate) use wave::{ClockLine, Draw, Source};
+pub use wave::{Wave, WaveLine, WaveLines};
 pub(crate) use waveform::{Format, Window};
 pub use waveform::{Fst, Trace, Vcd};
 

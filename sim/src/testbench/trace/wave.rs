@@ -10,6 +10,7 @@
 //! count  | 0     | 1 | 2 |
 //! ```
 
+mod lines;
 mod svg;
 
 use std::fmt;
@@ -21,8 +22,11 @@ use tilewright_hdl::ir::Kind;
 
 use super::radix::{WaveRadix, text};
 use super::{Observer, View};
-use crate::engine::program::ValueId;
+use crate::engine::Engine;
+use crate::engine::program::{Program, ValueId};
 use crate::testbench::error::{Error, UnknownName};
+
+pub use lines::{WaveLine, WaveLines};
 
 /// The narrowest column, which still shows a clock, and the widest.
 const COLUMN: std::ops::RangeInclusive<usize> = 4..=16;
@@ -93,6 +97,11 @@ impl Wave {
         let rows = sources.into_iter().map(|source| Row { source, values: Vec::new(), radix: None }).collect();
         let data = Data { clocks, rows, columns: Vec::new(), times: 0..u64::MAX, is_over: false };
         Wave { data: Arc::new(Mutex::new(data)) }
+    }
+
+    /// The values that its rows show.
+    pub(crate) fn values(&self) -> Vec<ValueId> {
+        self.data().rows.iter().map(|row| row.source.value).collect()
     }
 
     fn data(&self) -> MutexGuard<'_, Data> {
@@ -311,16 +320,7 @@ impl Observer for Draw {
         if data.is_over || view.until <= data.times.start {
             return Ok(());
         }
-        data.columns.push((view.since, view.until));
-        // Lanes of one value are adjacent, and are read once.
-        for rows in data.rows.chunk_by_mut(|a, b| a.source.value == b.source.value) {
-            let value = view.program.value(rows[0].source.value);
-            let lanes = view.engine.read(rows[0].source.value);
-            for row in rows {
-                let start = row.source.lane as usize * value.limbs();
-                row.values.push(Bits::from_limbs(value.width, &lanes[start..start + value.limbs()]));
-            }
-        }
+        data.sample(view.program, view.engine, view.since, view.until);
         Ok(())
     }
 
@@ -354,6 +354,20 @@ impl fmt::Display for Wave {
 }
 
 impl Data {
+    /// Adds a column with the present values.
+    fn sample(&mut self, program: &Program, engine: &mut dyn Engine, since: u64, until: u64) {
+        self.columns.push((since, until));
+        // Lanes of one value are adjacent, and are read once.
+        for rows in self.rows.chunk_by_mut(|a, b| a.source.value == b.source.value) {
+            let value = program.value(rows[0].source.value);
+            let lanes = engine.read(rows[0].source.value);
+            for row in rows {
+                let start = row.source.lane as usize * value.limbs();
+                row.values.push(Bits::from_limbs(value.width, &lanes[start..start + value.limbs()]));
+            }
+        }
+    }
+
     /// The narrowest width at which every value can be read. A row with a chosen radix may need more than twice as
     /// many digits.
     fn column_width(&self) -> usize {
