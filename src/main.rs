@@ -6,6 +6,7 @@ mod block;
 mod compare;
 mod completions;
 mod constraints;
+mod debug;
 mod diagram;
 mod engine;
 mod equal;
@@ -15,6 +16,7 @@ mod golden;
 mod list;
 mod machine;
 mod manual;
+mod moment;
 mod names;
 mod new;
 mod number;
@@ -78,6 +80,7 @@ enum Command {
     Golden(golden::Golden),
     Wave(wave::Wave),
     Why(why::Why),
+    Debug(debug::Debug),
     View(view::View),
     Verilog(verilog::Verilog),
     Prove(prove::Prove),
@@ -101,6 +104,7 @@ impl Command {
             Command::Golden(it) => it.run(),
             Command::Wave(it) => it.run(),
             Command::Why(it) => it.run(),
+            Command::Debug(it) => it.run(),
             Command::View(it) => it.run(),
             Command::Verilog(it) => it.run(),
             Command::Prove(it) => it.run(),

@@ -1,14 +1,14 @@
 //! `tilewright why`: the cause of a value in a block's scenario.
 
 use crate::block::{BlockArguments, design, simulation};
+use crate::moment::{Moment, play_remembered};
 use crate::number::number;
-use crate::player::play;
 use crate::shell::{Exit, Failure, progress, terminal};
 use clap::Args;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
-use tilewright_sim::{Cause, EngineKind, Error, Limits, Part, Simulation};
+use tilewright_sim::{Cause, EngineKind, Limits, Part};
 
 /// Tells why a net has its value in a block's scenario: what decided it, step by step back
 #[derive(Args)]
@@ -29,12 +29,8 @@ pub struct Why {
     /// Name of a net, a register, a port or a word of a memory
     #[arg(long, value_name = "NET")]
     signal: String,
-    /// The cycle in which it has the value [default: the last one of the scenario]
-    #[arg(long, value_name = "CYCLE")]
-    at: Option<u64>,
-    /// The clock whose cycles --at counts [default: the first one of the block]
-    #[arg(long, value_name = "NAME")]
-    clock: Option<String>,
+    #[command(flatten)]
+    moment: Moment,
     /// The most steps back
     #[arg(long, value_name = "STEPS", default_value_t = 8, value_parser = number::<usize>(0..=1000))]
     depth: usize,
@@ -51,12 +47,6 @@ pub struct Why {
     #[arg(long)]
     json: bool,
 }
-
-/// The memory for the past of a run, in bytes.
-const REMEMBERED: usize = 256 << 20;
-
-/// The time between two cycles of a block without clocks, in picoseconds.
-const INSTANT: u64 = 10_000;
 
 #[derive(Serialize)]
 struct Report<'a> {
@@ -77,12 +67,8 @@ impl Why {
         let scenario = entry.scenario(&values)?;
         // A name that there is not costs no run.
         sim.why_within(self.signal.as_str(), &Limits { depth: 0, ..Limits::default() })?;
-        sim.remember(REMEMBERED);
-        let played = play(&mut sim, &scenario, u64::MAX);
-        if played.as_ref().is_err_and(|failure| failure.exit != Exit::CheckFailed) {
-            return played.map(|()| Exit::Done);
-        }
-        self.go_back(&mut sim)?;
+        let failed = play_remembered(&mut sim, &scenario)?;
+        sim.go_to(self.moment.time(&sim)?)?;
         progress::phase("looking for causes");
         let cause = sim.why_within(self.signal.as_str(), &self.limits())?;
         if self.json {
@@ -93,34 +79,11 @@ impl Why {
         } else {
             terminal::print(&text(&cause))?;
         }
-        played.map(|()| Exit::Done)
+        failed.map_or(Ok(Exit::Done), Err)
     }
 
     fn limits(&self) -> Limits {
         Limits { depth: self.depth, nodes: self.most, operations: self.operations, kept: self.kept }
-    }
-
-    /// Goes to the cycle that is asked about.
-    fn go_back(&self, sim: &mut Simulation) -> Result<(), Failure> {
-        let clock = match (&self.clock, sim.program().clocks.first()) {
-            (Some(name), _) => Some(name.clone()),
-            (None, first) => first.map(|clock| clock.name.clone()),
-        };
-        let last = match &clock {
-            Some(clock) => sim.cycles(clock).map_err(Error::from)?,
-            None => sim.time() / INSTANT,
-        };
-        let Some(at) = self.at else { return Ok(()) };
-        if at > last {
-            let of = clock.map(|clock| format!(" of `{clock}`")).unwrap_or_default();
-            let sentence = format!("the scenario ends in cycle {last}{of}: give --at a number up to {last}");
-            return Err(Failure::new(Exit::BadInput, sentence));
-        }
-        match clock {
-            Some(clock) => sim.go_to_cycle(clock, at)?,
-            None => sim.go_to(at * INSTANT)?,
-        }
-        Ok(())
     }
 }
 

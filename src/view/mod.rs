@@ -2,7 +2,7 @@
 
 mod block;
 mod frame;
-mod nets;
+pub mod nets;
 mod open;
 mod picture;
 

@@ -1,6 +1,7 @@
 //! Every command line that the help texts, the README and the page of commands show runs as it stands.
 
 use crate::cli::bench;
+use crate::cli::debug::on_the_page;
 use crate::cli::harness::{Folder, Run};
 use crate::cli::interruption::{send, start_command};
 use crate::cli::reproduce::made::made;
@@ -24,6 +25,11 @@ fn assert_runs(folder: &Folder, arguments: &str) {
     }
     if arguments.starts_with("view ") && !arguments.contains("--export") {
         assert_serves(folder, arguments);
+        return;
+    }
+    if let Some(arguments) = arguments.strip_prefix("debug ") {
+        let code = on_the_page(folder, arguments, "q").map(|run| run.code);
+        assert!(code.is_none_or(|code| code == Some(0)), "{arguments}: {code:?}");
         return;
     }
     let run = bench::example(arguments).unwrap_or_else(|| folder.shell(&format!("tilewright {arguments}")));

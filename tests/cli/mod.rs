@@ -4,6 +4,7 @@ mod bad_input;
 mod bench;
 mod bitstream;
 mod compare;
+mod debug;
 mod deferred;
 mod determinism;
 mod diagram;

@@ -41,13 +41,19 @@ fn a_long_word_does_not_fill_the_terminal() {
     assert!(run.stderr.contains("zzz[..]zzz") && run.stderr.ends_with("z`: there are `**`\n"), "{run:?}");
 }
 
+/// Whether terminals can be made here.
+pub fn has_terminals(folder: &Folder) -> bool {
+    let probe = folder.shell("script -qec true typescript");
+    if probe.code != Some(0) {
+        let _ = skipped(&format!("`script` of util-linux makes no terminal: {}", probe.stderr.trim_end()));
+    }
+    probe.code == Some(0)
+}
+
 /// What a line writes to a terminal of so many columns, or `None` where no terminal can be made.
 #[cfg(target_os = "linux")]
 fn on_a_terminal(folder: &Folder, columns: u32, line: &str) -> Option<String> {
-    let probe = folder.shell("script -qec true typescript");
-    if probe.code != Some(0) {
-        let why = format!("`script` of util-linux makes no terminal: {}", probe.stderr.trim_end());
-        let _ = skipped(&why);
+    if !has_terminals(folder) {
         return None;
     }
     let run = folder.shell(&format!("TERM=xterm script -qec 'stty cols {columns}; tilewright {line}' typescript"));
