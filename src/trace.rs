@@ -18,6 +18,9 @@ pub struct TraceOptions {
     /// Record only signals with a matching path, such as `u_cell[*].value`, or the path in the Verilog. `*` matches anything but a dot, `**` anything
     #[arg(long, value_name = "GLOB")]
     scope: Vec<String>,
+    /// Record also the words of memories with a matching path, such as `u_queue.bytes`, or some of them, as `u_queue.bytes[0..8]`; at most 4096 words
+    #[arg(long, value_name = "GLOB", value_parser = words)]
+    memory: Vec<(String, Range<u32>)>,
     /// Record only from this simulated time on, such as 250ns or 1.5us
     #[arg(long, value_name = "TIME", value_parser = picoseconds)]
     from: Option<u64>,
@@ -27,6 +30,11 @@ pub struct TraceOptions {
 }
 
 impl TraceOptions {
+    /// Whether the user asks for words of memories.
+    pub fn has_words(&self) -> bool {
+        !self.memory.is_empty()
+    }
+
     /// Whether the user asks for some signals only.
     pub fn is_scoped(&self) -> bool {
         !self.scope.is_empty()
@@ -53,8 +61,10 @@ impl TraceOptions {
         if self.times().is_empty() {
             return bad("no time is left between --from and --to: give --to a later time than --from".to_owned());
         }
-        if waveform.is_none() && (self.is_scoped() || self.from.is_some() || self.to.is_some()) {
-            return bad(format!("--scope, --from and --to are for a waveform file: name it with {option} FILE"));
+        let is_filtered = self.is_scoped() || self.has_words() || self.from.is_some() || self.to.is_some();
+        if waveform.is_none() && is_filtered {
+            let sentence = "--scope, --memory, --from and --to are for a waveform file: name it with";
+            return bad(format!("{sentence} {option} FILE"));
         }
         Ok(())
     }
@@ -69,11 +79,24 @@ impl TraceOptions {
         sim: &mut Simulation<I, O>,
     ) -> Result<Vec<u8>, Failure> {
         let all = waveform.trace()?.times(self.times());
-        let trace = self.scope.iter().fold(all, |trace, pattern| trace.only(pattern));
+        let some = self.scope.iter().fold(all, |trace, pattern| trace.only(pattern));
+        let trace = self.memory.iter().fold(some, |trace, (pattern, range)| trace.words(pattern, range.clone()));
         let header = sim.trace_header(&trace)?;
         waveform.clear()?;
         sim.trace(trace)?;
         Ok(header)
+    }
+}
+
+/// A pattern of memories, and addresses such as `[0..8]` behind it.
+fn words(text: &str) -> Result<(String, Range<u32>), &'static str> {
+    let Some((pattern, range)) = text.strip_suffix(']').and_then(|rest| rest.rsplit_once('[')) else {
+        return Ok((text.to_owned(), 0..u32::MAX));
+    };
+    let Some((start, end)) = range.split_once("..") else { return Ok((text.to_owned(), 0..u32::MAX)) };
+    match (start.parse(), end.parse()) {
+        (Ok(start), Ok(end)) if start < end => Ok((pattern.to_owned(), start..end)),
+        _ => Err("give the first address, and the one after the last, such as `words[0..8]`"),
     }
 }
 
@@ -99,6 +122,22 @@ fn exact(number: &str, unit: u64) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn addresses_stand_behind_a_pattern() {
+        let all = 0..u32::MAX;
+        for (text, pattern, range) in [
+            ("u_a.words", "u_a.words", all.clone()),
+            ("u_a[3].words", "u_a[3].words", all.clone()),
+            ("words[3]", "words[3]", all),
+            ("u_a[*].words[1][4..16]", "u_a[*].words[1]", 4..16),
+        ] {
+            assert_eq!(words(text), Ok((pattern.to_owned(), range)));
+        }
+        for text in ["words[3..3]", "words[..3]", "words[3..]", "words[0..99999999999]", "words[a..b]"] {
+            assert!(words(text).is_err(), "{text}");
+        }
+    }
 
     #[test]
     fn times_are_exact() {

@@ -33,6 +33,7 @@ Examples:
   tilewright wave merging-unit -o mu.fst
   tilewright wave merging-unit -o mu.vcd --ascii
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
+  tilewright wave lifo -o lifo.vcd --memory 'words[0..4]'
   tilewright wave merging-unit -o mu.svg
 
 Beside the waveform file a .gtkw file is written, unless -o names a pipe or a device. With it GTKWave opens the waveform with the signals selected.
@@ -180,8 +181,8 @@ impl Wave {
             "--json needs a waveform file: name it with -o FILE"
         } else if self.radix.is_some() && !self.is_text() && !self.is_picture() {
             "--radix is for text and pictures, and -o names a waveform file: leave out -o, or name a picture with -o, such as wave.svg"
-        } else if self.filters.is_scoped() && self.is_picture() {
-            "a picture always shows the ports of the block: leave out --scope, or name a waveform file with -o, such as wave.vcd"
+        } else if (self.filters.is_scoped() || self.filters.has_words()) && self.is_picture() {
+            "a picture always shows the ports of the block: leave out --scope and --memory, or name a waveform file with -o, such as wave.vcd"
         } else {
             return self.filters.check(self.output.as_deref(), "-o");
         };

@@ -38,6 +38,39 @@ fn a_waveform_as_fst_has_what_it_has_as_vcd() {
     assert_eq!(save.replace("\"mu.fst\"", "\"mu.vcd\""), folder.read("mu.gtkw"));
 }
 
+/// The names of words are those of `why`.
+#[test]
+fn words_of_memories_are_in_a_waveform_if_it_is_asked_for_them() {
+    let folder = Folder::new();
+    let named = |name: &str| {
+        let shown = read(&folder.path(name));
+        let words = shown.into_iter().filter(|(name, _)| name.contains("words["));
+        words.map(|(name, changes)| (name, changes.len())).collect::<Vec<_>>()
+    };
+    folder.stdout("wave lifo -o without.fst");
+    assert_eq!(named("without.fst"), []);
+    folder.stdout("wave lifo -o with.fst --memory words[1..3]");
+    folder.stdout("wave lifo -o with.vcd --memory *[1..3]");
+    let names: Vec<String> = named("with.fst").into_iter().map(|(name, _)| name).collect();
+    let below: Vec<&str> = names.iter().filter_map(|name| Some(name.split_once('.')?.1)).collect();
+    assert_eq!(below, ["words[1]", "words[2]"]);
+    assert!(named("with.fst") == named("with.vcd") && named("with.fst").iter().any(|(_, changes)| *changes > 1));
+    for word in below {
+        assert!(folder.stdout(&format!("why lifo --signal {word} --depth 0")).starts_with(&format!("{word} = ")));
+    }
+    for (arguments, sentence) in [
+        ("lifo -o x.vcd --memory word", "error: there is no memory that matches `word`: did you mean `words`?\n"),
+        ("lifo -o x.vcd --memory words[3..1]", "give the first address, and the one after the last"),
+        ("lifo --memory words", "--memory, --from and --to are for a waveform file: name it with -o FILE"),
+        ("lifo -o x.svg --memory words", "leave out --scope and --memory"),
+        ("ram --set depth=8192 -o x.vcd --memory words[0]", "and the limit is 4096: name fewer memories or addresses"),
+    ] {
+        let run = folder.run(&format!("wave {arguments}"));
+        assert!(run.code == Some(2) && run.stderr.contains(sentence), "{arguments}: {run:?}");
+    }
+    assert_eq!(folder.names(), ["with.fst", "with.gtkw", "with.vcd", "without.fst", "without.gtkw"]);
+}
+
 #[test]
 #[cfg(target_os = "linux")]
 fn a_pipe_gets_the_same_bytes_and_a_full_disk_is_no_success() {

@@ -142,7 +142,7 @@ fn a_picture_has_the_rows_of_the_text() {
     assert_eq!((&drawn["files"][0], &drawn["commands"]), (&"page.svg".into(), &serde_json::json!([])));
 
     for (line, sentence) in [
-        ("wave merging-unit -o mu.svg --scope **", "leave out --scope"),
+        ("wave merging-unit -o mu.svg --scope **", "leave out --scope and --memory"),
         ("wave merging-unit -o mu.vcd --radix hex", "--radix is for text and pictures"),
         ("wave gfb-unit -o gfb.svg --set width=64 --set height=64", "pass --from and --to"),
     ] {

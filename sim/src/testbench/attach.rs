@@ -67,7 +67,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// The file cannot be created, a pattern matches nothing, or there is no such clock.
+    /// The file cannot be created, a pattern matches nothing, there are too many words, or there is no such clock.
     pub fn trace(&mut self, trace: Trace) -> Result<(), Error> {
         self.circuit.trace(0, trace)
     }
@@ -85,9 +85,9 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// A pattern matches nothing.
+    /// A pattern matches nothing, or there are too many words.
     pub fn trace_header(&self, trace: &Trace) -> Result<Vec<u8>, Error> {
-        Ok(header(&self.circuit.program, 0, &trace.patterns)?.text)
+        Ok(header(&self.circuit.program, 0, trace)?.text)
     }
 
     /// Records inputs and outputs at every instant from now on, and the start: the memory words that were poked before
@@ -165,7 +165,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 impl Running {
     /// Writes a waveform file of one run.
     pub fn trace(&mut self, run: u32, trace: Trace) -> Result<(), Error> {
-        let header = header(&self.program, run, &trace.patterns)?;
+        let header = header(&self.program, run, &trace)?;
         let window = match &trace.window {
             None => 0..u64::MAX,
             Some(Window::Time(times)) => times.clone(),
@@ -176,7 +176,8 @@ impl Running {
         };
         let values: Vec<_> = header.variables.iter().map(|variable| variable.value).collect();
         self.engine.watch(&values);
-        let rows = self.engine.take_in_rows(&values);
+        // Rows have no words.
+        let rows = if header.words.is_empty() { self.engine.take_in_rows(&values) } else { None };
         let Trace { format, path, file, last, .. } = trace;
         let program = &self.program;
         match format {

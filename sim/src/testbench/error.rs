@@ -58,6 +58,16 @@ pub enum Error {
     /// Two engines side by side differ.
     #[error(transparent)]
     Differs(#[from] Box<Difference>),
+    /// A trace would have too many words of memories.
+    #[error(
+        "the waveform would have {words} words of memories, and the limit is {most}: name fewer memories or addresses"
+    )]
+    Words {
+        /// The requested number.
+        words: u64,
+        /// The largest possible number.
+        most: u64,
+    },
     /// A trace could not be written.
     #[error("cannot write the trace {}: {source}", .path.display())]
     Trace {

@@ -3,10 +3,12 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
+use super::changes::Id;
 use super::rows::Rows;
 use super::shown::Shown;
 use super::sink::Sink;
 use super::vcd_header::{Header, Variable, VariableKind};
+use super::words::Words;
 use super::{Observer, View};
 use crate::engine::Done;
 use crate::engine::program::{Program, Triggers};
@@ -22,6 +24,7 @@ pub(crate) struct Dump<S: Sink> {
     window: Range<u64>,
     /// The values of the last step: of the file, or of the flight recorder.
     shown: Shown,
+    words: Words,
     /// Takes many steps at once, if the engine supports it.
     rows: Option<Rows<S>>,
     /// Whether the file has a step.
@@ -47,8 +50,9 @@ struct Flight {
 struct Step {
     since: u64,
     until: u64,
-    /// As in [`Shown::limbs`].
+    /// As in [`Shown::limbs`] and [`Words::limbs`].
     limbs: Vec<u64>,
+    words: Vec<u64>,
     resets: Vec<bool>,
 }
 
@@ -58,7 +62,7 @@ impl<S: Sink> Dump<S> {
     pub fn new(
         to: S,
         program: &Program,
-        header: Header,
+        mut header: Header,
         window: Range<u64>,
         rows: Option<usize>,
         last: Option<usize>,
@@ -69,6 +73,7 @@ impl<S: Sink> Dump<S> {
             to,
             rows: rows.filter(|_| last.is_none()).map(|rows| Rows::new(rows, program, &shown, &header.variables)),
             shown,
+            words: Words::new(program, std::mem::take(&mut header.words)),
             header,
             window,
             begun: false,
@@ -106,10 +111,15 @@ impl<S: Sink> Dump<S> {
 
     /// Writes the changes since the last step.
     fn changes(&mut self, at: u64, resets: &[bool]) {
-        let Dump { to, header, shown, .. } = self;
+        let Dump { to, header, shown, words, .. } = self;
         shown.visit_changed(|number, limbs| {
             to.at(at);
-            change(to, &header.variables[number], limbs);
+            let Variable { id, kind, .. } = &header.variables[number];
+            change(to, *id, kind, limbs);
+        });
+        words.visit_changed(|id, kind, limbs| {
+            to.at(at);
+            change(to, id, kind, limbs);
         });
         for (index, clock) in header.clocks.iter().enumerate() {
             let past_edge = clock.is_past_edge(at);
@@ -156,6 +166,7 @@ impl<S: Sink> Dump<S> {
         self.to.open();
         for step in flight.steps {
             self.shown.go_to(&step.limbs);
+            self.words.go_to(&step.words);
             self.step(step.since, step.until, &step.resets);
         }
     }
@@ -163,12 +174,14 @@ impl<S: Sink> Dump<S> {
 
 impl Flight {
     /// Keeps a step, and drops the oldest one if there are too many.
-    fn keep(&mut self, since: u64, until: u64, limbs: &[u64], resets: &[bool]) {
+    fn keep(&mut self, since: u64, until: u64, [limbs, words]: [&[u64]; 2], resets: &[bool]) {
         let oldest = if self.steps.len() == self.capacity { self.steps.pop_front() } else { None };
         let mut step = oldest.unwrap_or_default();
         (step.since, step.until) = (since, until);
         step.limbs.clear();
         step.limbs.extend_from_slice(limbs);
+        step.words.clear();
+        step.words.extend_from_slice(words);
         step.resets.clear();
         step.resets.extend_from_slice(resets);
         self.steps.push_back(step);
@@ -176,13 +189,13 @@ impl Flight {
 }
 
 /// Writes a variable's new value.
-pub(super) fn change(to: &mut impl Sink, variable: &Variable, limbs: &[u64]) {
-    match &variable.kind {
-        VariableKind::Bit => to.bit(variable.id, limbs[0] != 0),
-        VariableKind::Bits => to.bits(variable.id, limbs),
+pub(super) fn change(to: &mut impl Sink, id: Id, kind: &VariableKind, limbs: &[u64]) {
+    match kind {
+        VariableKind::Bit => to.bit(id, limbs[0] != 0),
+        VariableKind::Bits => to.bits(id, limbs),
         VariableKind::Code(names) => match names.name(limbs[0]) {
-            Some(name) => to.string(variable.id, name),
-            None => to.string(variable.id, &format!("code_{}", limbs[0])),
+            Some(name) => to.string(id, name),
+            None => to.string(id, &format!("code_{}", limbs[0])),
         },
     }
 }
@@ -196,9 +209,10 @@ impl<S: Sink> Observer for Dump<S> {
                 rows.leave(&mut self.shown);
             }
             self.shown.take(view.engine, view.changed);
+            self.words.take(view.engine, view.changed);
             match &mut self.flight {
                 None => self.step(since, until, view.resets),
-                Some(flight) => flight.keep(since, until, self.shown.limbs(), view.resets),
+                Some(flight) => flight.keep(since, until, [self.shown.limbs(), self.words.limbs()], view.resets),
             }
         }
         Ok(())

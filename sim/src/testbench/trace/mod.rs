@@ -17,6 +17,7 @@ mod vcd;
 mod vcd_header;
 mod wave;
 mod waveform;
+mod words;
 
 use crate::engine::program::{Program, Triggers};
 use crate::engine::{Done, Engine};

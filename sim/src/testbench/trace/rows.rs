@@ -115,7 +115,8 @@ impl<S: Sink> Rows<S> {
                 // A variable of several limbs is written with the first of them that differs.
                 if written.replace(variable) != Some(variable) {
                     let limbs = &last.as_flattened()[starts[variable]..starts[variable + 1]];
-                    change(to, &header.variables[variable], limbs);
+                    let Variable { id, kind, .. } = &header.variables[variable];
+                    change(to, *id, kind, limbs);
                 }
             }
             to.shorts(rest, &block.shorts, limbs);

@@ -1,7 +1,8 @@
 //! The header of a waveform file: its scopes and variables, and what these show.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::io;
+use std::ops::Range;
 
 use tilewright_hdl::Reset;
 use tilewright_hdl::ir::Names;
@@ -9,15 +10,19 @@ use vcd::{ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
 
 use super::changes::Id;
 use super::glob;
+use super::waveform::Trace;
+use super::words::MOST_WORDS;
+use crate::engine::Word;
 use crate::engine::program::hierarchy::{Place, Replication, Role, Signal};
 use crate::engine::program::{Program, ValueId, hierarchy};
-use crate::testbench::error::UnknownName;
+use crate::testbench::error::{Error, UnknownName};
 
 /// The header, and the data that the changes after it need.
 pub(crate) struct Header {
     /// From `$version` to `$enddefinitions`.
     pub text: Vec<u8>,
     pub variables: Vec<Variable>,
+    pub words: Vec<WordVariable>,
     pub clocks: Vec<Clock>,
 }
 
@@ -27,6 +32,13 @@ pub(crate) struct Variable {
     pub kind: VariableKind,
     pub value: ValueId,
     pub lane: u32,
+}
+
+/// A variable that shows a word of a memory.
+pub(crate) struct WordVariable {
+    pub id: Id,
+    pub kind: VariableKind,
+    pub word: Word,
 }
 
 pub(crate) enum VariableKind {
@@ -76,18 +88,23 @@ impl Clock {
     }
 }
 
-/// The header for the signals of a run that match one of `patterns`, or for all if there are none.
-pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result<Header, UnknownName> {
+/// The header for the signals of a run that match one of the trace's patterns, or for all if there are none, and for the
+/// words of memories that it asks for.
+pub(crate) fn header(program: &Program, run: u32, trace: &Trace) -> Result<Header, Error> {
+    let top = &program.hierarchy.scopes[0].name;
     let mut build = Build {
         program,
         run,
-        patterns: patterns.iter().map(|pattern| readings(pattern, &program.hierarchy.scopes[0].name)).collect(),
-        used: vec![false; patterns.len()],
+        patterns: trace.patterns.iter().map(|pattern| readings(pattern, top)).collect(),
+        used: vec![false; trace.patterns.len()],
+        memories: trace.words.iter().map(|(pattern, addresses)| (readings(pattern, top), addresses.clone())).collect(),
+        used_memories: vec![false; trace.words.len()],
+        words: 0,
         writer: Writer::new(Vec::new()),
         ids: HashMap::new(),
         strings: HashMap::new(),
         count: 0,
-        header: Header { text: Vec::new(), variables: Vec::new(), clocks: Vec::new() },
+        header: Header { text: Vec::new(), variables: Vec::new(), words: Vec::new(), clocks: Vec::new() },
     };
     let clock = |clock: &crate::engine::program::Clock| Clock {
         period: clock.period,
@@ -98,13 +115,17 @@ pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result
     };
     build.header.clocks = program.clocks.iter().map(clock).collect();
     build.write().expect("writing to memory does not fail");
-    match build.used.iter().position(|used| !used) {
-        Some(unused) => Err(unmatched(program, &patterns[unused])),
-        None => {
-            build.header.text = std::mem::take(build.writer.writer());
-            Ok(build.header)
-        }
+    if let Some(unused) = build.used.iter().position(|used| !used) {
+        return Err(unmatched(program, &trace.patterns[unused]).into());
     }
+    if let Some(unused) = build.used_memories.iter().position(|used| !used) {
+        return Err(unmatched_memory(program, &trace.words[unused].0).into());
+    }
+    if build.words > MOST_WORDS {
+        return Err(Error::Words { words: build.words, most: MOST_WORDS });
+    }
+    build.header.text = std::mem::take(build.writer.writer());
+    Ok(build.header)
 }
 
 /// A pattern as given, and in the form that matches a path of the file or of the Verilog, below this top. Such paths
@@ -136,6 +157,20 @@ fn unmatched(program: &Program, pattern: &str) -> UnknownName {
     UnknownName::among("signal that matches", pattern, &names, &instances)
 }
 
+/// The error for a pattern that matches no memory.
+fn unmatched_memory(program: &Program, pattern: &str) -> UnknownName {
+    let hierarchy = &program.hierarchy;
+    let of_place = |place: Place| {
+        let memories = hierarchy.scope(place.scope).memories.iter();
+        memories.map(move |(name, _, _)| hierarchy.path_in(place, name)).collect::<Vec<_>>()
+    };
+    let names: Vec<String> = hierarchy.places(0).into_iter().flat_map(of_place).collect();
+    let mut choose: Vec<String> = names.iter().map(|name| every_element(name)).collect();
+    choose.sort();
+    choose.dedup();
+    UnknownName::among("memory that matches", pattern, &names, &choose)
+}
+
 /// A path with a star for the index of each array.
 fn every_element(path: &str) -> String {
     let after = |part: &str| part.find(']').map_or_else(|| part.to_string(), |end| format!("*{}", &part[end..]));
@@ -149,6 +184,11 @@ struct Build<'a> {
     patterns: Vec<[String; 2]>,
     /// The patterns that have matched something.
     used: Vec<bool>,
+    /// The patterns of memories, each with addresses, and those that have matched something.
+    memories: Vec<([String; 2], Range<u32>)>,
+    used_memories: Vec<bool>,
+    /// The number of words that are asked for.
+    words: u64,
     writer: Writer<Vec<u8>>,
     /// One id for each lane of a value, whatever its names.
     ids: HashMap<(ValueId, u32), Id>,
@@ -190,15 +230,48 @@ impl Build<'_> {
                 self.signal(signal, lane, place.lane * lanes + lane)?;
             }
         }
+        for (name, memory, shape) in &scope.memories {
+            for lane in 0..shape.lanes() {
+                let name = format!("{name}{}", hierarchy::index(*shape, lane));
+                let first = Word { memory: *memory, lane: place.lane * shape.lanes() + lane, address: 0 };
+                self.memory(path, &name, first)?;
+            }
+        }
         for (name, child) in program.hierarchy.children(place) {
             self.child(&name, child, path)?;
         }
         Ok(())
     }
 
+    /// The words of a memory that are asked for.
+    fn memory(&mut self, path: &str, name: &str, first: Word) -> io::Result<()> {
+        let (full, plain) = (joined(path, name), joined(path, name.split('[').next().unwrap_or(name)));
+        let memory = &self.program.memories[first.memory as usize];
+        let mut addresses = BTreeSet::new();
+        for ((pattern, range), used) in self.memories.iter().zip(&mut self.used_memories) {
+            if pattern.iter().any(|reading| glob::matches(reading, &full) || glob::matches(reading, &plain)) {
+                *used = true;
+                let range = range.start..range.end.min(memory.depth);
+                // What is too much is counted alone.
+                self.words += u64::from(range.end.saturating_sub(range.start));
+                if self.words <= MOST_WORDS {
+                    addresses.extend(range);
+                }
+            }
+        }
+        for address in addresses {
+            let id = fresh(&mut self.count);
+            let index = (memory.width > 1).then(|| ReferenceIndex::Range(memory.width as i32 - 1, 0));
+            self.writer.var_def(VarType::Reg, memory.width, id.code, &format!("{name}[{address}]"), index)?;
+            let kind = if memory.width == 1 { VariableKind::Bit } else { VariableKind::Bits };
+            self.header.words.push(WordVariable { id, kind, word: Word { address, ..first } });
+        }
+        Ok(())
+    }
+
     /// An instance, unless nothing in it is shown.
     fn child(&mut self, name: &str, place: Place, path: &str) -> io::Result<()> {
-        let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
+        let path = joined(path, name);
         let start = self.writer.writer().len();
         let in_array = self.program.hierarchy.scope(place.scope).replication != Replication::Single;
         if in_array {
@@ -220,7 +293,7 @@ impl Build<'_> {
 
     /// Whether a pattern asks for this name; a clock of the top is always shown.
     fn shows(&mut self, path: &str, name: &str) -> bool {
-        let full = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
+        let full = joined(path, name);
         let mut shown = self.patterns.is_empty();
         for (pattern, used) in self.patterns.iter().zip(&mut self.used) {
             if pattern.iter().any(|reading| glob::matches(reading, &full)) {
@@ -267,6 +340,11 @@ impl Build<'_> {
     fn variable(&mut self, id: Id, kind: VariableKind, value: ValueId, lane: u32) {
         self.header.variables.push(Variable { id, kind, value, lane });
     }
+}
+
+/// The path of a name in an instance.
+fn joined(path: &str, name: &str) -> String {
+    if path.is_empty() { name.to_string() } else { format!("{path}.{name}") }
 }
 
 /// The next variable.

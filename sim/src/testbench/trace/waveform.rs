@@ -32,6 +32,8 @@ pub struct Trace {
     /// A file that is open already.
     pub(crate) file: Option<Arc<File>>,
     pub(crate) patterns: Vec<String>,
+    /// Patterns of memories, each with addresses.
+    pub(crate) words: Vec<(String, std::ops::Range<u32>)>,
     pub(crate) window: Option<Window>,
     pub(crate) last: Option<usize>,
 }
@@ -161,7 +163,7 @@ impl Fst {
 impl Trace {
     fn to(format: Format, path: &Path, file: Option<File>) -> Trace {
         let (path, file) = (path.to_path_buf(), file.map(Arc::new));
-        Trace { format, path, file, patterns: Vec::new(), window: None, last: None }
+        Trace { format, path, file, patterns: Vec::new(), words: Vec::new(), window: None, last: None }
     }
 
     /// Only the signals whose hierarchical name matches this pattern, or another given one. `*` stands for any
@@ -177,6 +179,29 @@ impl Trace {
     /// ```
     pub fn only(mut self, pattern: &str) -> Trace {
         self.patterns.push(pattern.to_string());
+        self
+    }
+
+    /// Also the words at these addresses of memories whose hierarchical name matches this pattern. Addresses beyond the
+    /// last one are left out. A word has the name that `why` takes, such as `squares[5]`. A file has at most 4096 words.
+    /// Without this method it has none, and pays nothing for them.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// # let folder = tempfile::tempdir().unwrap();
+    /// # let path = folder.path().join("counter.vcd");
+    /// let vcd = Vcd::to(&path).only("count").words("squares", 4..6);
+    /// let header = String::from_utf8(sim.trace_header(&vcd)?).unwrap();
+    /// assert!(header.contains(" squares[4] [7:0] ") && header.contains(" squares[5] [7:0] "));
+    /// sim.trace(vcd)?;
+    /// sim.step();
+    /// sim.finish()?;
+    /// assert!(std::fs::read_to_string(&path).unwrap().contains("b11001 ")); // 25
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn words(mut self, pattern: &str, addresses: std::ops::Range<u32>) -> Trace {
+        self.words.push((pattern.to_string(), addresses));
         self
     }
 

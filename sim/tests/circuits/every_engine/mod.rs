@@ -10,6 +10,7 @@ mod in_place_of;
 mod kinds;
 mod lane_values;
 mod lists;
+mod memory_waves;
 mod pads;
 mod processes;
 mod properties;
