@@ -12,7 +12,7 @@ module bench;
     initial begin
         @(posedge locked);
         @(posedge dut.serial_clk) #2_000;
-        for (bits = 0; bits < BITS; bits = bits + 1) begin
+        for (bits = 0; bits < TIMES; bits = bits + 1) begin
             $write("%h", tmds);
             #4_000;
         end

@@ -1,54 +1,91 @@
-//! What the pins of a ULX3S send where Icarus simulates the Verilog, or the netlist that Yosys makes of it.
+//! What pins send where another simulator runs the Verilog, or the netlist that Yosys makes of it.
 
 use std::path::Path;
 use std::process::Command;
-use tilewright_boards::receiver::Lines;
-use tilewright_gen::tools::{skipped, skipped_without, sources};
+use tempfile::TempDir;
+use tilewright_boards::receiver::{Lines, Seen};
+use tilewright_gen::tools::{skipped, skipped_without, sources, verilated};
 use tilewright_gen::verilog;
 use tilewright_hdl::{Block, elaborate};
 
-/// The cells of which Yosys has no models, and a bench that prints what is at the pins in the middle of each bit.
-const CELLS: &str = include_str!("ecp5_cells.v");
-const BENCH: &str = include_str!("dvi_bench.v");
-/// Yosys's own models of the others.
-const MODELS: &str = "/usr/share/yosys/ecp5";
+/// A family of FPGAs: what Yosys makes a netlist with, and what simulates it.
+struct Chip {
+    /// The pass of Yosys.
+    pass: &'static str,
+    /// Yosys's models of cells.
+    models: &'static str,
+    /// Modules of these models that are empty, or not for Verilator.
+    unused: &'static [&'static str],
+    /// Models in place of them.
+    cells: &'static str,
+    /// Prints what is at the pins.
+    bench: &'static str,
+}
 
-/// What the printed Verilog sends; `None` without Icarus.
+const ECP5: Chip = Chip {
+    pass: "synth_ecp5",
+    models: "/usr/share/yosys/ecp5/cells_sim.v",
+    unused: &["DP16KD"],
+    cells: include_str!("ecp5_cells.v"),
+    bench: include_str!("dvi_bench.v"),
+};
+
+const ICE40: Chip = Chip {
+    pass: "synth_ice40 -device u -dsp -spram",
+    models: "/usr/share/yosys/ice40/cells_sim.v",
+    unused: &["SB_IO", "SB_PLL40_2_PAD"],
+    cells: include_str!("ice40_cells.v"),
+    bench: include_str!("pmod_bench.v"),
+};
+
+/// Builds a bench from files in a folder; `None` without the simulator.
+type Build = fn(&Path, &Chip, &[&str]) -> Option<Command>;
+
+/// What the Verilog for a ULX3S sends, as Icarus runs it; `None` without Icarus.
 pub fn of_verilog<B: Block>(top: &B, bits: usize) -> Option<Lines> {
-    if skipped_without(&["iverilog", "vvp"]).is_some() {
-        return None;
-    }
     let (folder, name, files) = printed(top);
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
-    Some(simulated(folder.path(), &name, &files, bits))
+    Some(lines(&said(icarus, folder.path(), &ECP5, &name, &files, bits)?))
 }
 
-/// What the netlist for an ECP5 sends; `None` without Yosys with its models, or without Icarus.
+/// What the netlist for an ECP5 sends, as Icarus runs it; `None` without Yosys with its models, or without Icarus.
 pub fn of_netlist<B: Block>(top: &B, bits: usize) -> Option<Lines> {
-    if skipped_without(&["yosys", "iverilog", "vvp"]).is_some() {
-        return None;
-    }
-    if !Path::new(MODELS).exists() {
-        let _ = skipped(&format!("{MODELS} has no models of cells"));
-        return None;
-    }
-    let (folder, name, files) = printed(top);
-    let script = format!("read_verilog {}; synth_ecp5 -top {name}; write_verilog -noattr netlist.v", files.join(" "));
-    assert_eq!(run(folder.path(), "yosys", &["-q", "-p", &script]).trim(), "");
-    let include = format!("-I{MODELS}");
-    std::fs::write(folder.path().join("models.v"), models()).unwrap();
-    Some(simulated(folder.path(), &name, &[&include, "netlist.v", "models.v"], bits))
+    let (folder, name) = netlist(top, &ECP5)?;
+    Some(lines(&said(icarus, folder.path(), &ECP5, &name, &NETLIST, bits)?))
 }
 
-/// The models of Yosys, without the module for a block RAM, which is empty there.
-fn models() -> String {
-    let models = std::fs::read_to_string(format!("{MODELS}/cells_sim.v")).unwrap();
-    let (before, rest) = models.split_once("module DP16KD(").expect("Yosys declares a block RAM");
-    format!("{before}module no_block_ram; {}", &rest[rest.find("endmodule").unwrap()..])
+/// Like [`of_netlist`], as Verilator runs it: better for a machine.
+pub fn of_large_netlist<B: Block>(top: &B, bits: usize) -> Option<Lines> {
+    let (folder, name) = netlist(top, &ECP5)?;
+    Some(lines(&said(verilator, folder.path(), &ECP5, &name, &NETLIST, bits)?))
 }
+
+/// What the PMOD of an iCEBreaker takes from the netlist, as Verilator runs it; `None` without Yosys with its models, or
+/// without Verilator.
+pub fn of_pmod<B: Block>(top: &B, pixels: usize) -> Option<Vec<Seen>> {
+    let (folder, name) = netlist(top, &ICE40)?;
+    let said = said(verilator, folder.path(), &ICE40, &name, &NETLIST, pixels)?;
+    let levels = |word: u32| match word >> 14 & 1 {
+        1 => Seen::Pixel([8, 4, 0].map(|place| (word >> place << 4) as u8)),
+        _ => Seen::Blank { hsync: word >> 13 & 1 == 1, vsync: word >> 12 & 1 == 1 },
+    };
+    let words = said.split_whitespace().map(|word| u32::from_str_radix(word, 16).expect(word));
+    // Until the PLL has locked, all pins are low.
+    Some(words.skip_while(|word| *word == 0).map(levels).collect())
+}
+
+/// The four lines of the pins as a nibble for each bit. They are unknown at first.
+fn lines(said: &str) -> Lines {
+    let nibbles: Vec<u32> =
+        said.trim_start_matches(['x', 'X']).chars().map(|digit| digit.to_digit(16).expect(said)).collect();
+    std::array::from_fn(|lane| nibbles.iter().map(|nibble| nibble >> lane & 1 == 1).collect())
+}
+
+/// The files of a netlist with the models of its cells.
+const NETLIST: [&str; 2] = ["netlist.v", "models.v"];
 
 /// The printed files in a folder, the name of the top, and the names of the Verilog files.
-fn printed<B: Block>(top: &B) -> (tempfile::TempDir, String, Vec<String>) {
+fn printed<B: Block>(top: &B) -> (TempDir, String, Vec<String>) {
     let (folder, design) = (tempfile::tempdir().unwrap(), elaborate(top).unwrap());
     let files = verilog(&design);
     for file in &files {
@@ -58,20 +95,71 @@ fn printed<B: Block>(top: &B) -> (tempfile::TempDir, String, Vec<String>) {
     (folder, design.top().name.clone(), names)
 }
 
-fn simulated(folder: &Path, top: &str, files: &[&str], bits: usize) -> Lines {
-    let bench = BENCH.replace("TOP", top).replace("BITS", &bits.to_string());
-    std::fs::write(folder.join("bench.v"), CELLS.to_owned() + &bench).unwrap();
-    let own = ["-g2005", "-s", "bench", "-o", "bench.vvp", "bench.v"];
-    let said = run(folder, "iverilog", &[&own, files].concat());
-    assert!(!said.contains("error"), "{said}");
-    let printed = run(folder, "vvp", &["-n", "bench.vvp"]);
-    let printed = printed.lines().last().unwrap_or_default();
-    let nibbles: Vec<u32> =
-        printed.trim_start_matches(['x', 'X']).chars().map(|digit| digit.to_digit(16).expect(printed)).collect();
-    std::array::from_fn(|lane| nibbles.iter().map(|nibble| nibble >> lane & 1 == 1).collect())
+/// The netlist of a top in a folder, and the name of the top; `None` without Yosys with its models.
+fn netlist<B: Block>(top: &B, chip: &Chip) -> Option<(TempDir, String)> {
+    if skipped_without(&["yosys"]).is_some() {
+        return None;
+    }
+    if !Path::new(chip.models).exists() {
+        let _ = skipped(&format!("there are no models of cells in {}", chip.models));
+        return None;
+    }
+    let (folder, name, files) = printed(top);
+    let script =
+        format!("read_verilog {}; {} -top {name}; write_verilog -noattr netlist.v", files.join(" "), chip.pass);
+    assert_eq!(run(folder.path(), Command::new("yosys").args(["-q", "-p", &script])).trim(), "");
+    let models = std::fs::read_to_string(chip.models).unwrap();
+    let models = chip.unused.iter().fold(models, |models, name| without(&models, name));
+    std::fs::write(folder.path().join("models.v"), models).unwrap();
+    Some((folder, name))
 }
 
-fn run(folder: &Path, program: &str, arguments: &[&str]) -> String {
-    let output = Command::new(program).args(arguments).current_dir(folder).output().unwrap();
+/// The models without a module.
+fn without(models: &str, module: &str) -> String {
+    let begin = models.find(&format!("module {module}")).expect("Yosys declares it");
+    let end = models[begin..].find("endmodule").expect("it ends");
+    format!("{}module no_{module};\n{}", &models[..begin], &models[begin + end..])
+}
+
+/// The line that the bench prints; `None` without the simulator.
+fn said(build: Build, folder: &Path, chip: &Chip, top: &str, files: &[&str], times: usize) -> Option<String> {
+    let bench = chip.bench.replace("TOP", top).replace("TIMES", &times.to_string());
+    std::fs::write(folder.join("bench.v"), chip.cells.to_owned() + &bench).unwrap();
+    let mut program = build(folder, chip, &[&["bench.v"], files].concat())?;
+    let said = run(folder, &mut program);
+    // Verilator adds where the simulation ends.
+    let line = said.lines().rev().find(|line| !line.is_empty()).unwrap_or_default();
+    Some(line.split("- ").next().unwrap_or_default().trim().to_owned())
+}
+
+fn icarus(folder: &Path, chip: &Chip, files: &[&str]) -> Option<Command> {
+    if skipped_without(&["iverilog", "vvp"]).is_some() {
+        return None;
+    }
+    let own = ["-g2005", "-s", "bench", "-o", "bench.vvp", &include(chip)];
+    let said = run(folder, Command::new("iverilog").args(own).args(files));
+    assert!(!said.contains("error"), "{said}");
+    let mut program = Command::new("vvp");
+    program.args(["-n", "bench.vvp"]);
+    Some(program)
+}
+
+fn verilator(folder: &Path, chip: &Chip, files: &[&str]) -> Option<Command> {
+    let language = ["--timing", "--default-language", "1364-2005", "--timescale-override", "1ps/1ps"];
+    // The models leave it to a define whether a port has a value of its own, which that Verilog does not know. Verilator
+    // warns of what is usual in models.
+    let models = ["-DNO_ICE40_DEFAULT_ASSIGNMENTS", "-Wno-lint", "-Wno-fatal", &include(chip)];
+    let program = verilated(folder, files, "bench", &[&language[..], &models].concat());
+    Some(Command::new(program.unwrap_or_else(|problems| panic!("{problems}"))?))
+}
+
+/// Where models have files that they include.
+fn include(chip: &Chip) -> String {
+    format!("-I{}", Path::new(chip.models).parent().expect("a file is in a folder").display())
+}
+
+/// What a program prints.
+fn run(folder: &Path, command: &mut Command) -> String {
+    let output = command.current_dir(folder).output().unwrap();
     String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
 }

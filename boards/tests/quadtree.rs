@@ -1,6 +1,7 @@
 //! The quadtree generator on boards, by what the pins send.
 
 use crate::board::{Board, seen, seen_of_pmod};
+use crate::pins;
 use tilewright_blocks::{Scan, VideoTiming};
 use tilewright_boards::quadtree::{
     OnBoard, QuadtreeOnIcebreaker, QuadtreeOnUlx3s, Step, cube, for_icebreaker, for_ulx3s, quadtree_on_icebreaker,
@@ -58,18 +59,36 @@ fn upper(frame: Frame) -> Frame {
     frame.into_iter().map(|row| row.into_iter().map(|colour| colour.map(|channel| channel & 0xf0)).collect()).collect()
 }
 
-#[test]
-fn an_icebreaker_shows_the_golden_pictures_of_a_turning_scene() {
+/// A small machine for an iCEBreaker, and what it draws.
+fn small_icebreaker() -> (QuadtreeOnIcebreaker, Vec<Step>) {
     let OnBoard { mut picture, steps } = for_icebreaker(Screen { width: 40, height: 24 }, &cube(5)).unwrap();
     picture.refreshes = 2;
-    let top = QuadtreeOnIcebreaker { picture, timing: small(160, 96) };
-    let frames = frames(&seen_of_pmod(&top, 0, 10 * clocks(160, 96)));
-    // The memories are unknown at the start, so the first frames are noise until both are cleared.
+    (QuadtreeOnIcebreaker { picture, timing: small(160, 96) }, steps)
+}
+
+/// The memories are unknown at the start, so the first frames are noise until both are cleared.
+fn golden_after_noise(frames: &[Frame], steps: &[Step]) {
     let wanted = |step: usize| upper(on_screen(&steps[step], 4, 3));
     let begin = frames.iter().position(|frame| *frame == wanted(0)).expect("the first step is shown");
     assert_eq!(frames[..begin].len(), 4);
     for (number, shown) in frames[begin..].chunks(2).enumerate() {
         assert!(shown.iter().all(|frame| *frame == wanted(number)), "step {number}");
+    }
+}
+
+#[test]
+fn an_icebreaker_shows_the_golden_pictures_of_a_turning_scene() {
+    let (top, steps) = small_icebreaker();
+    golden_after_noise(&frames(&seen_of_pmod(&top, 0, 10 * clocks(160, 96))), &steps);
+}
+
+/// Yosys and Verilator take about 20 seconds: `cargo test -p tilewright-boards --test all netlist -- --ignored`.
+#[test]
+#[ignore = "takes 20 seconds"]
+fn the_netlist_of_an_icebreaker_shows_the_golden_pictures_too() {
+    let (top, steps) = small_icebreaker();
+    if let Some(seen) = pins::of_pmod(&top, 8 * clocks(160, 96)) {
+        golden_after_noise(&frames(&seen), &steps);
     }
 }
 

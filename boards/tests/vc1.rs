@@ -17,12 +17,13 @@ fn wanted(scene: &Turning, step: usize) -> Frame {
 }
 
 /// A machine that a simulation of several frames takes little time for.
-fn small() -> Vc1OnUlx3s {
-    let screen = Screen { width: 48, height: 36 };
+fn small([width, height]: [u32; 2], steps: u32) -> Vc1OnUlx3s {
+    let screen = Screen { width, height };
     let patches = Patches::new(screen, 4).unwrap();
-    let scene = Turning::star([screen.width, screen.height], 3, 2, 0.9).unwrap();
+    let scene = Turning::star([width, height], steps, 2, 0.9).unwrap();
     let pages = scene.pages(&patches) as u32;
-    let timing = VideoTiming { columns: Scan::new(96, [8, 8, 8], false), rows: Scan::new(72, [2, 2, 26], false) };
+    let [columns, rows] = [Scan::new(2 * width, [8, 8, 8], false), Scan::new(2 * height, [2, 2, 26], false)];
+    let timing = VideoTiming { columns, rows };
     Vc1OnUlx3s { picture: Vc1Picture { lfb: LfbUnit { patches, pages }, processors: 2, scene }, timing }
 }
 
@@ -34,7 +35,7 @@ fn steps(scene: &Turning, frames: &[Frame]) -> Vec<Option<usize>> {
 
 #[test]
 fn a_receiver_sees_the_golden_frames_one_after_the_other() {
-    let top = small();
+    let top = small([48, 36], 3);
     let VideoTiming { columns, rows } = &top.timing;
     let refresh = 5 * (columns.total() * rows.total()) as usize;
     let frames = frames(&seen(&top, 5 * refresh));
@@ -58,14 +59,14 @@ fn the_board_shows_the_golden_frame() {
     assert_eq!(steps(scene, &frames), [Some(0)]);
 }
 
-/// Yosys and Icarus take minutes: `cargo test -p tilewright-boards --test all netlist -- --ignored`.
+/// Yosys and Verilator take about a minute: `cargo test -p tilewright-boards --test all netlist -- --ignored`.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes a minute"]
 fn the_netlist_of_a_small_machine_shows_the_golden_frame() {
-    let top = small();
+    let top = small([40, 28], 2);
     let VideoTiming { columns, rows } = &top.timing;
     let refresh = 10 * (columns.total() * rows.total()) as usize;
-    if let Some(lines) = pins::of_netlist(&top, 2 * refresh + refresh / 4) {
+    if let Some(lines) = pins::of_large_netlist(&top, 2 * refresh + refresh / 4) {
         let frames = frames(&received(&lines).unwrap());
         assert_eq!(steps(&top.picture.scene, &frames), [Some(0)]);
     }
