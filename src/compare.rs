@@ -107,7 +107,7 @@ impl Compare {
             check_room(scene.size, entrants.len())?;
         }
         let (filters, recorder) = (&TraceOptions::default(), recorder.as_ref());
-        let run = Run { engine: self.engine, filters, waveform: None, recorder };
+        let run = Run { recorder, ..Run::new(self.engine, filters) };
         let comparison = Comparison::of(&scene, &entrants, &run)?;
 
         let painted = comparison.painted();
@@ -310,7 +310,7 @@ mod tests {
     fn star_on(entrants: &[Entrant]) -> Comparison {
         let scene = Scene { size: Size::new(32, 24).unwrap(), ..Scene::builtin("star").unwrap() };
         let (engine, filters) = (EngineArguments::default(), TraceOptions::default());
-        Comparison::of(&scene, entrants, &Run { engine, filters: &filters, waveform: None, recorder: None }).unwrap()
+        Comparison::of(&scene, entrants, &Run::new(engine, &filters)).unwrap()
     }
 
     #[test]

@@ -155,6 +155,14 @@ impl MachineArguments {
 }
 
 impl MachineArguments {
+    /// The first option of any machine that is given, if one is.
+    pub fn given(&self) -> Option<&'static str> {
+        let strict = self.order.strict.then_some("--strict");
+        let of_machines =
+            [self.vc1.given(), self.quadtree.given(), self.pixel_planes.given(), self.pixelflow.given(), strict];
+        of_machines.into_iter().flatten().next()
+    }
+
     /// The option that makes several frames on that machine, if one does.
     pub fn several(&self, machine: Machine) -> Option<&'static str> {
         match machine {

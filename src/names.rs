@@ -41,21 +41,30 @@ pub fn of<T: ValueEnum>(what: &'static str) -> Names<T> {
     Names::described(what, all)
 }
 
-impl<T: Clone + Send + Sync + 'static> TypedValueParser for Names<T> {
-    type Value = T;
-
-    fn parse_ref(&self, _: &Command, _: Option<&Arg>, given: &OsStr) -> Result<T, Error> {
+impl<T: Clone> Names<T> {
+    /// What a name means.
+    ///
+    /// # Errors
+    /// There is no such name; the sentence suggests one.
+    pub fn find(&self, given: &OsStr) -> Result<T, String> {
         let given = given.to_string_lossy();
         let found = self.all.iter().find(|(name, _)| are_alike(&given, name.get_name()));
         found.map(|(_, value)| value.clone()).ok_or_else(|| {
             let known: Vec<&str> = self.all.iter().map(|(name, _)| name.get_name()).collect();
             let lead = format!("there is no {} `{given}`", self.what);
-            let sentence = match self.list {
+            match self.list {
                 Some(command) => not_listed(&lead, &given, &known, command),
                 None => unknown(&lead, &given, &known),
-            };
-            Error::raw(ErrorKind::InvalidValue, sentence + "\n")
+            }
         })
+    }
+}
+
+impl<T: Clone + Send + Sync + 'static> TypedValueParser for Names<T> {
+    type Value = T;
+
+    fn parse_ref(&self, _: &Command, _: Option<&Arg>, given: &OsStr) -> Result<T, Error> {
+        self.find(given).map_err(|sentence| Error::raw(ErrorKind::InvalidValue, sentence + "\n"))
     }
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {

@@ -113,7 +113,7 @@ impl Render {
         let pictures = self.pictures.open()?;
         let golden = Golden::new(self.golden.as_deref(), job.size(), || job.golden())?;
         let recorder = pictures.recorder();
-        let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref(), recorder };
+        let run = Run { waveform: waveform.as_ref(), recorder, ..Run::new(self.engine, &self.filters) };
         progress::phase("building");
         let (frame, report) = job.render(&run)?;
         progress::phase("comparing");

@@ -1,9 +1,13 @@
 //! GTKWave's save file: the signals that it shows when it opens a waveform, and their formats.
 
+use crate::shell::output::quoted;
+use crate::shell::terminal;
 use std::collections::BTreeSet;
 use std::fmt::Write;
+use std::fs::File;
+use std::io::Read;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use vcd::{Header, Parser, Scope, ScopeItem, VarType};
 
 /// GTKWave's codes of number formats.
@@ -63,6 +67,37 @@ fn show(text: &mut String, scope: &Scope, path: &str, all: bool) {
             show(text, inner, &format!("{path}.{}", inner.identifier), all);
         }
     }
+}
+
+/// The name of a waveform, which must not be that of the save file beside it.
+pub fn waveform(path: PathBuf) -> Result<PathBuf, &'static str> {
+    let is_save_file = path.extension().is_some_and(|it| it == "gtkw");
+    if is_save_file {
+        Err("the .gtkw file is written beside the waveform: name the waveform itself, such as wave.vcd")
+    } else {
+        Ok(path)
+    }
+}
+
+/// Whether a save file is missing or was written by an earlier run. If neither, warns that it is kept.
+pub fn is_ours(path: &Path) -> bool {
+    let mut begin = String::new();
+    let read = |file: File| file.take(FIRST_LINE.len() as u64).read_to_string(&mut begin);
+    let is_read = path.is_file() && File::open(path).and_then(read).is_ok();
+    let ours = !path.exists() || is_read && begin == FIRST_LINE;
+    if !ours {
+        terminal::warn(&format!(
+            "{} was not written by tilewright and is kept: remove it to have it written",
+            path.display()
+        ));
+    }
+    ours
+}
+
+/// The commands that open a waveform.
+pub fn viewers(waveform: &Path, save: &Path) -> Vec<String> {
+    let (waveform, save) = (quoted(waveform), quoted(save));
+    vec![format!("gtkwave {waveform} {save}"), format!("surfer {waveform}")]
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::shell::{Exit, Failure, progress, terminal};
 use clap::Args;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::sync::{Mutex, PoisonError};
 use tilewright_scenes::deferred::{Deferred, Samples, project_deferred};
 use tilewright_scenes::{Polygons, Projection, Scene, Size, project_polygons, project_sample, project_samples};
@@ -24,11 +24,19 @@ impl SceneArguments {
     /// # Errors
     /// The scene's, naming file and line.
     pub fn load(&self) -> Result<Scene, Failure> {
-        progress::phase("reading");
-        let scene = Scene::load_sized(&self.scene, self.size)?;
-        progress::phase("setting up");
-        Ok(scene)
+        load(&self.scene, self.size)
     }
+}
+
+/// Loads a scene of that name, for a frame of that size or of the size that it asks for.
+///
+/// # Errors
+/// The scene's, naming file and line.
+pub fn load(name: &OsStr, size: Option<Size>) -> Result<Scene, Failure> {
+    progress::phase("reading");
+    let scene = Scene::load_sized(name, size)?;
+    progress::phase("setting up");
+    Ok(scene)
 }
 
 /// Sets up the triangles of a scene. Warns of oddities in its files, and if nothing is visible.

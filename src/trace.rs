@@ -35,6 +35,11 @@ impl TraceOptions {
         !self.memory.is_empty()
     }
 
+    /// These signals alone, by patterns, in those picoseconds.
+    pub fn of(scope: Vec<String>, times: Range<u64>) -> TraceOptions {
+        TraceOptions { scope, from: Some(times.start), to: Some(times.end), memory: Vec::new() }
+    }
+
     /// Whether the user asks for some signals only.
     pub fn is_scoped(&self) -> bool {
         !self.scope.is_empty()

@@ -5,8 +5,8 @@ use crate::engine::EngineArguments;
 use crate::first_difference;
 use crate::names;
 use crate::player::{check_length, play};
-use crate::save_file;
-use crate::shell::output::{Output, Waveform, quoted};
+use crate::save_file::{self, is_ours, viewers, waveform};
+use crate::shell::output::{Output, Waveform};
 use crate::shell::place::{beside, check_distinct, shown};
 use crate::shell::{Exit, Failure, terminal};
 use crate::trace::TraceOptions;
@@ -14,8 +14,6 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use tilewright_hdl::Scenario;
@@ -222,37 +220,6 @@ impl Wave {
         let (waveform, times) = (self.output.as_deref().unwrap_or(Path::new("")), self.filters.times());
         save_file::of(waveform, header, times.start..times.end.min(end), self.filters.is_scoped())
     }
-}
-
-/// The name of a waveform, which must not be that of the save file beside it.
-fn waveform(path: PathBuf) -> Result<PathBuf, &'static str> {
-    let is_save_file = path.extension().is_some_and(|it| it == "gtkw");
-    if is_save_file {
-        Err("the .gtkw file is written beside the waveform: name the waveform itself, such as wave.vcd")
-    } else {
-        Ok(path)
-    }
-}
-
-/// Whether a save file is missing or was written by an earlier run. If neither, warns that it is kept.
-fn is_ours(path: &Path) -> bool {
-    let mut begin = String::new();
-    let read = |file: File| file.take(save_file::FIRST_LINE.len() as u64).read_to_string(&mut begin);
-    let is_read = path.is_file() && File::open(path).and_then(read).is_ok();
-    let ours = !path.exists() || is_read && begin == save_file::FIRST_LINE;
-    if !ours {
-        terminal::warn(&format!(
-            "{} was not written by tilewright and is kept: remove it to have it written",
-            path.display()
-        ));
-    }
-    ours
-}
-
-/// The commands that open a waveform.
-fn viewers(waveform: &Path, save: &Path) -> Vec<String> {
-    let (waveform, save) = (quoted(waveform), quoted(save));
-    vec![format!("gtkwave {waveform} {save}"), format!("surfer {waveform}")]
 }
 
 fn report<'a>(

@@ -6,9 +6,10 @@ use crate::shell::output::Waveform;
 use crate::trace::TraceOptions;
 use crate::watch::watched;
 use serde::Serialize;
+use std::cell::RefCell;
 use std::fmt::Display;
 use tilewright_hdl::Bundle;
-use tilewright_machines::{Recorder, Watch};
+use tilewright_machines::{Follower, Recorder, Watch};
 use tilewright_scenes::{Frame, Size};
 use tilewright_sim::{EngineKind, Simulation};
 
@@ -31,6 +32,11 @@ pub trait Job {
     /// # Errors
     /// The machine cannot be built, or cannot render this; Ctrl-C; a waveform cannot be written.
     fn render(&self, run: &Run) -> Result<(Frame, Self::Report), Failure>;
+
+    /// Whether the machine tells the way of a pixel, so that `render` gives it [`Run::follower`].
+    fn follows(&self) -> bool {
+        false
+    }
 }
 
 /// How a machine is run.
@@ -40,6 +46,17 @@ pub struct Run<'a> {
     pub waveform: Option<&'a Waveform>,
     /// Where the machine records what it does, if that is asked for.
     pub recorder: Option<&'a Recorder>,
+    /// The pixel that is followed, if one is.
+    pub follower: Option<&'a Follower>,
+    /// The header of the waveform, once it is attached.
+    pub header: RefCell<Vec<u8>>,
+}
+
+impl<'a> Run<'a> {
+    /// A run that leaves nothing but its frame.
+    pub fn new(engine: EngineArguments, filters: &'a TraceOptions) -> Run<'a> {
+        Run { engine, filters, waveform: None, recorder: None, follower: None, header: RefCell::default() }
+    }
 }
 
 impl Run<'_> {
@@ -54,7 +71,10 @@ impl Run<'_> {
     /// A filter matches nothing, or the waveform cannot be written.
     pub fn attach<I: Bundle, O: Bundle>(&self, sim: &mut Simulation<I, O>) -> Result<(), Failure> {
         tell_fallback(sim);
-        self.waveform.map_or(Ok(()), |waveform| self.filters.attach(waveform, sim).map(|_| ()))
+        if let Some(waveform) = self.waveform {
+            *self.header.borrow_mut() = self.filters.attach(waveform, sim)?;
+        }
+        Ok(())
     }
 
     /// Renders with a line of progress, and stops at Ctrl-C; `picoseconds` is the simulated time of a result.

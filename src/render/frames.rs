@@ -33,7 +33,7 @@ impl Render {
         let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
         // Check that the folder can be written before the machine is built.
         let _ = paths.first().map(|path| Output::at(path)).transpose()?;
-        let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref(), recorder: None };
+        let run = Run { waveform: waveform.as_ref(), ..Run::new(self.engine, &self.filters) };
         let mut frames = Vec::new();
         let report = turn.render(&run, |number, picture, golden| {
             let verdict = Golden::Rendered(golden).judge(&picture);

@@ -42,11 +42,7 @@ fn compared(name: &str, effort: Effort, entrants: &[Entrant]) -> Result<Comparis
     let scene = Scene::builtin(name).expect("a built-in scene");
     let size = if effort.is_quick() { Size::new(SMALL[0], SMALL[1])? } else { scene.size };
     let (engine, filters) = (EngineArguments::default(), TraceOptions::default());
-    Comparison::of(
-        &Scene { size, ..scene },
-        entrants,
-        &Run { engine, filters: &filters, waveform: None, recorder: None },
-    )
+    Comparison::of(&Scene { size, ..scene }, entrants, &Run::new(engine, &filters))
 }
 
 fn table_section(compared: &[Comparison]) -> Section {

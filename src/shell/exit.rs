@@ -61,6 +61,11 @@ impl Failure {
         Failure { sentence: format!("{machine}: {}", self.sentence), ..self }
     }
 
+    /// The same failure with that exit code.
+    pub fn with(self, exit: Exit) -> Failure {
+        Failure { exit, ..self }
+    }
+
     /// The result of two actions that were both tried. The first failure decides the exit code, and all are printed.
     pub fn both<T>(first: Result<T, Failure>, second: Result<(), Failure>) -> Result<T, Failure> {
         match (first, second) {

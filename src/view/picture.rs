@@ -40,7 +40,7 @@ pub fn data(scene: &Scene, machine: Machine) -> Result<Vec<u8>, Failure> {
 fn picture(scene: &Scene, machine: Machine, job: &impl Viewed) -> Result<Picture, Failure> {
     let golden = Golden::Rendered(job.golden()?);
     let (recorder, filters) = (Recorder::default(), TraceOptions::default());
-    let run = Run { engine: EngineArguments::default(), filters: &filters, waveform: None, recorder: Some(&recorder) };
+    let run = Run { recorder: Some(&recorder), ..Run::new(EngineArguments::default(), &filters) };
     progress::phase("building");
     let (frame, report) = job.render(&run)?;
     let verdict = golden.judge(&frame);

@@ -16,6 +16,9 @@ pub(crate) struct Viewer {
     cursor: Option<Cursor>,
     /// Whether every refresh is checked, not only the first one of each frame.
     every: bool,
+    /// Whether the colours that the display got are kept in place of a check.
+    keeps: bool,
+    kept: Vec<u32>,
     on_display: Option<OnDisplay>,
     /// The passes of the current picture.
     picture: Vec<Frame>,
@@ -42,13 +45,16 @@ struct Refresh {
 }
 
 impl Viewer {
-    /// A check for pictures of that number of passes, in which frames are passes.
-    pub fn new(size: Size, passes: Option<u32>, cursor: Option<Cursor>, every: bool) -> Viewer {
+    /// A check of the first refresh of each frame, or of every one, for pictures of that number of passes, in which frames are passes. It may keep
+    /// the colours in place of a check.
+    pub fn new(size: Size, passes: Option<u32>, cursor: Option<Cursor>, (every, keeps): (bool, bool)) -> Viewer {
         Viewer {
             size,
             passes: passes.map_or(1, |passes| passes as usize),
             cursor,
             every,
+            keeps,
+            kept: Vec::new(),
             on_display: None,
             picture: Vec::new(),
             refresh: None,
@@ -118,6 +124,10 @@ impl Viewer {
             _ => (&shown.frame, &mut shown.is_seen),
         };
         *is_seen = true;
+        if self.keeps {
+            self.kept = colours;
+            return Ok(());
+        }
         let differs = |(colour, word): (&u32, &u64)| u64::from(*colour) != word & 0xff_ffff;
         if let Some(place) = colours.iter().zip(&expected.words).position(differs) {
             let width = self.size.width() as usize;
@@ -125,6 +135,23 @@ impl Viewer {
         }
         self.judged += 1;
         Ok(())
+    }
+
+    /// Ends a refresh that lacks pixels, which are black.
+    ///
+    /// # Errors
+    /// As [`Viewer::judge`].
+    pub fn give_up(&mut self) -> Result<(), Error> {
+        let pixels = self.size.pixels();
+        self.refresh.get_or_insert_with(|| Refresh { averages: false, colours: Vec::new() }).colours.resize(pixels, 0);
+        self.judge()
+    }
+
+    /// Gives a frame the colours that the display got, if they are kept.
+    pub fn colour(&self, frame: &mut Frame) {
+        for (word, colour) in frame.words.iter_mut().zip(&self.kept) {
+            *word = *word & !0xff_ffff | u64::from(*colour);
+        }
     }
 
     /// Whether a displayed frame has been checked, or was replaced before a refresh showed it.

@@ -15,6 +15,7 @@ use super::edges::Edges;
 use super::notes::{Handshakes, Notes};
 use super::ports::Ports;
 use super::processor::{Edge, Now, Processor};
+use super::way::Following;
 use super::words::Word;
 use crate::error::Error;
 
@@ -41,6 +42,8 @@ pub(crate) struct Hardware {
     writes: VecDeque<(u32, u64)>,
     /// The events.
     pub notes: Notes,
+    /// What follows a pixel, if one is followed.
+    pub following: Option<Box<Following>>,
     /// The number of clocks since any processing element did something, so that all ports are idle.
     idle: u64,
     /// Idle clocks that the processing elements still have to count.
@@ -79,6 +82,7 @@ impl Hardware {
             command_port: None,
             writes: VecDeque::new(),
             notes: Notes::new(gfb.screen.width),
+            following: None,
             idle: 0,
             slept: 0,
             bus_clocks: u64::from(4 * machine.word_clocks + 16),
@@ -113,6 +117,9 @@ impl Hardware {
         // The display begins in its blanking. Half a line before its end, the banks have been stable for more than a line.
         let dawn = clocks + u64::from(BLANK_LINES) * self.line_clocks - self.line_clocks / 2;
         self.dawn.next = dawn * self.crt.period;
+        if let Some(following) = &mut self.following {
+            following.begins(clocks);
+        }
         Ok(())
     }
 
@@ -123,6 +130,7 @@ impl Hardware {
         let is_idle = self.command.is_none() && (self.idle > 1 || processors.iter().all(Processor::is_idle));
         self.idle = if is_idle { self.idle + 1 } else { 0 };
         if self.idle > 1 {
+            self.follow(processors, &[]);
             self.advance(display)?;
             self.slept += 1;
             return Ok(false);
@@ -143,8 +151,12 @@ impl Hardware {
         }
         let command = self.command.is_some() && self.flag(self.sim.i.command.ready);
         let line = processors.iter().all(Processor::done) && self.flag(self.sim.o.line);
+        self.follow(processors, &acting);
         self.advance(display)?;
         if command && let Some(word) = self.command.take() {
+            if let Some(following) = &mut self.following {
+                following.host(coming, word);
+            }
             self.notes.bus(coming, processors.len() as u32, word);
         }
         acting.iter().for_each(|&k| self.see(k, &mut processors[k], coming));
@@ -187,7 +199,19 @@ impl Hardware {
             may: [before, may],
             ends: processor.done() && !ended,
         };
+        if let Some(following) = &mut self.following {
+            following.processor(&mut self.sim, clock, number as u32, &handshakes);
+        }
         self.notes.processor(clock, number as u32, handshakes);
+    }
+
+    /// Shows the coming edge to what follows a pixel. Those processing elements look at their ports.
+    fn follow(&mut self, processors: &[Processor], acting: &[usize]) {
+        let Some(following) = &mut self.following else { return };
+        let is_done = self.command.is_none() && processors.iter().all(Processor::done);
+        let taken = acting.iter().filter(|&&k| self.ports[k].taken);
+        let taken = taken.filter_map(|&k| Some((k, self.ports[k].access?)));
+        following.before(&mut self.sim, self.pe.last() + 1, is_done, taken);
     }
 
     /// The last edge of the processing elements' clock, counted from 1 at power-on.
@@ -220,10 +244,19 @@ impl Hardware {
     fn pass(&mut self, clocks: u64, until: u64) -> Result<u64, Error> {
         let until = until.min(self.dawn.next - 1);
         let clocks = clocks.min(until.saturating_sub(self.time()) / self.pe.period);
-        if !self.writes.is_empty() || clocks == 0 {
+        let is_followed = self.following.as_ref().is_some_and(|it| it.is_busy());
+        if !self.writes.is_empty() || clocks == 0 || is_followed {
             return Ok(0);
         }
         let end = self.pe.next + (clocks - 1) * self.pe.period;
+        if let Some(following) = &mut self.following {
+            // It looks at every clock of the merger.
+            while self.merge.next <= end {
+                self.sim.try_run_to(self.merge.next)?;
+                self.merge.next += self.merge.period;
+                following.merger(&mut self.sim, self.merge.last());
+            }
+        }
         self.sim.try_run_to(end)?;
         for edges in [&mut self.pe, &mut self.merge, &mut self.crt] {
             edges.came(end);
@@ -245,6 +278,9 @@ impl Hardware {
                 let until = if self.crt.period < self.pe.period { self.crt.next } else { end };
                 self.sim.try_run_to(until)?;
                 self.crt.next += self.crt.period;
+                if let Some(following) = &mut self.following {
+                    following.display(&mut self.sim, self.crt.last());
+                }
                 if self.flag(self.sim.o.pixel.valid) {
                     colours.push(self.sim.get_u64(self.sim.o.pixel.rgb) as u32);
                 }
@@ -256,6 +292,9 @@ impl Hardware {
         self.sim.try_run_to(end)?;
         self.dawns = self.dawn.came(end);
         if self.merge.came(end) {
+            if let Some(following) = &mut self.following {
+                following.merger(&mut self.sim, self.merge.last());
+            }
             if self.writes.pop_front().is_some() {
                 self.present_write();
             }
@@ -324,6 +363,11 @@ impl Hardware {
     /// T_m in picoseconds.
     pub fn merge_time(&self) -> u64 {
         self.merge_clocks * self.merge.period
+    }
+
+    /// The time of a whole frame from its swap on, in picoseconds, with some to spare.
+    pub fn frame_time(&self) -> u64 {
+        4 * self.merge_time() + 4 * self.refresh_clocks * self.crt.period
     }
 
     /// Simulated picoseconds.

@@ -15,7 +15,7 @@ use super::config::Config;
 use super::display::Viewer;
 use super::hardware::Hardware;
 use super::job::{View, Views};
-use super::model::Model;
+use super::model::{Event, Model};
 use super::processor::Processor;
 use super::report::{FrameReport, ProcessorReport, Shown, Times};
 use super::words::{Message, Word};
@@ -31,6 +31,8 @@ pub(crate) struct Host<'a, 'w> {
     viewer: Viewer,
     /// The model, with which everything is compared.
     comparison: Comparison<'a>,
+    /// The first difference from the model's clocks, after which a machine that follows a pixel still runs until that time.
+    differed: Option<(Error, u64)>,
     /// The edge at which a blanking ended last.
     dawn: u64,
     /// Words of the command that it is sending.
@@ -89,8 +91,9 @@ impl<'a, 'w> Host<'a, 'w> {
     ) -> Host<'a, 'w> {
         let passes = config.accumulate.map(Passes::count);
         Host {
-            viewer: Viewer::new(config.size, passes, config.cursor, every),
+            viewer: Viewer::new(config.size, passes, config.cursor, (every, hardware.following.is_some())),
             comparison: Comparison::new(model),
+            differed: None,
             dawn: 0,
             scene: Loaded::default(),
             config,
@@ -129,12 +132,19 @@ impl<'a, 'w> Host<'a, 'w> {
             if clock % PROGRESS_CLOCKS == 0 {
                 self.progress(processors)?;
                 self.compare()?;
+                let is_late = |it: u64| self.hardware.time() > it + self.hardware.frame_time();
+                if self.hardware.following.is_some()
+                    && self.frames.front().and_then(|it| it.times.shown).is_some_and(is_late)
+                {
+                    self.viewer.give_up()?;
+                }
             }
             clock += self.rest(PROGRESS_CLOCKS - 1 - clock % PROGRESS_CLOCKS)? + 1;
             let had_begun = self.viewer.has_begun();
             let line = self.hardware.clock(processors, self.viewer.colours())?;
             if self.viewer.has_begun() && !had_begun {
-                self.comparison.refresh(self.dawn, self.hardware.edge())?;
+                let compared = self.comparison.refresh(self.dawn, self.hardware.edge());
+                self.tolerate(compared)?;
             }
             self.watch_frames(processors, line);
             self.watch_display()?;
@@ -156,8 +166,28 @@ impl<'a, 'w> Host<'a, 'w> {
         if self.hardware.flips != 0 {
             return Ok(());
         }
-        self.comparison.see(self.hardware.notes.events.drain(..));
-        self.comparison.compare(self.hardware.edge())
+        let events = std::mem::take(&mut self.hardware.notes.events);
+        if self.differed.is_none() {
+            self.comparison.see(events);
+            let compared = self.comparison.compare(self.hardware.edge());
+            self.tolerate(compared)?;
+        }
+        match &self.differed {
+            Some((_, until)) if self.hardware.time() > *until => Err(self.differed.take().expect("it is there").0),
+            _ => Ok(()),
+        }
+    }
+
+    /// Stops at a difference from the model, unless a pixel is followed, whose way is to be told to its end. The machine has the time for that.
+    fn tolerate(&mut self, compared: Result<(), Error>) -> Result<(), Error> {
+        match compared {
+            Err(error) if self.hardware.following.is_some() => {
+                let until = 2 * self.hardware.time() + self.hardware.frame_time();
+                self.differed.get_or_insert((error, until));
+                Ok(())
+            }
+            other => other,
+        }
     }
 
     /// The number of events compared with the model.
@@ -198,6 +228,9 @@ impl<'a, 'w> Host<'a, 'w> {
         }
         self.views.insert(number, view.clone());
         self.comparison.command(view.clone());
+        if let Some(following) = &mut self.hardware.following {
+            following.command(&view);
+        }
         let packets = Message::begin(number, self.config.immediate.then_some(self.scene.words));
         self.words.extend(packets.iter().flat_map(Message::words));
         let times = Times { command: self.hardware.time(), ..Times::default() };
@@ -224,6 +257,9 @@ impl<'a, 'w> Host<'a, 'w> {
             if times.drawn.is_none() {
                 if line {
                     times.drawn = Some(time);
+                    if let Some(following) = &mut self.hardware.following {
+                        following.drawn(time / Event::PE_PERIOD);
+                    }
                     frame.pages = (0..processors.len()).map(|k| self.hardware.pages_used(k)).collect();
                 }
             } else if times.swapped.is_none() {
@@ -271,7 +307,9 @@ impl<'a, 'w> Host<'a, 'w> {
         let processors = (0..).zip(tallies).zip(pages);
         let processors = processors.map(|((k, tally), pages)| ProcessorReport::of(&view, k, tally, pages)).collect();
         let report = FrameReport::of(&view, words, times, refreshes, processors);
-        Shown { number, frame: frame.expect("it has come on display"), average, report }
+        let mut frame = frame.expect("it has come on display");
+        self.viewer.colour(&mut frame);
+        Shown { number, frame, average, report }
     }
 
     /// Reports the progress of the oldest frame, and stops if the caller asks for it.

@@ -85,9 +85,9 @@ type SetUp = ([ScreenVertex; 3], Option<Rc<Triangle>>);
 const KEPT: usize = 16;
 
 impl Views {
-    /// The view of a frame that the host has commanded.
-    pub fn of(&self, frame: u32) -> Arc<View> {
-        self.views.borrow()[&frame].clone()
+    /// The view of a frame, if the host has commanded it.
+    pub fn of(&self, frame: u32) -> Option<Arc<View>> {
+        self.views.borrow().get(&frame).cloned()
     }
 
     pub fn insert(&self, frame: u32, view: Arc<View>) {

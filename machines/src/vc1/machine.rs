@@ -13,9 +13,11 @@ use super::model::Model;
 use super::processor::Processor;
 use super::program::Settings;
 use super::report::{Report, Shown};
+use super::way::Following;
 use crate::error::Error;
 use crate::history::{Painting, Recorder};
 use crate::run::Watch;
+use crate::way::Follower;
 
 /// A VC-1, switched off.
 pub struct Machine {
@@ -23,6 +25,7 @@ pub struct Machine {
     hardware: Hardware,
     judges_every_refresh: bool,
     recorder: Option<Recorder>,
+    follower: Option<Follower>,
 }
 
 impl Machine {
@@ -32,7 +35,7 @@ impl Machine {
     /// [`Error::Parameter`] if a parameter is out of range.
     pub fn new(config: Config) -> Result<Machine, Error> {
         let hardware = Hardware::new(&config.hardware()?)?;
-        Ok(Machine { config, hardware, judges_every_refresh: false, recorder: None })
+        Ok(Machine { config, hardware, judges_every_refresh: false, recorder: None, follower: None })
     }
 
     /// The same machine, which compares every refresh of its display with its frame buffer. Usually it compares only the first one of each
@@ -56,6 +59,19 @@ impl Machine {
     /// Several frames are all written into one picture.
     pub fn recorded(mut self, recorder: &Recorder) -> Machine {
         self.recorder = Some(recorder.clone());
+        self
+    }
+
+    /// The same machine with a follower of a pixel on its screen. It does not stop at what it checks itself, as the way tells it. A frame then has
+    /// the colours that the display got.
+    ///
+    /// # Panics
+    /// The pixel is outside of the screen.
+    #[track_caller]
+    pub fn following(mut self, follower: &Follower) -> Machine {
+        let (size, [x, y]) = (self.config.size, follower.pixel);
+        assert!(x < size.width() && y < size.height(), "pixel {x},{y} is outside of a screen of {size}");
+        self.follower = Some(follower.clone());
         self
     }
 
@@ -103,6 +119,8 @@ impl Machine {
         seen: impl FnMut(Shown) -> bool,
     ) -> Result<Report, Error> {
         let rendered = self.run(background, watch, views, seen);
+        // It leaves the way.
+        self.hardware.following = None;
         Error::of_both(rendered, self.hardware.sim.finish())
     }
 
@@ -123,6 +141,10 @@ impl Machine {
         let known = Views::default();
         let of = |number| Processor::new(Settings::of(&self.config, number, patches), known.clone());
         let mut processors: Vec<_> = (0..self.config.processors).map(of).collect();
+        if let Some(follower) = &self.follower {
+            let following = Following::new(follower, &self.config.hardware()?, background);
+            self.hardware.following = Some(Box::new(following));
+        }
         self.hardware.reset(background, self.config.accumulate)?;
         let begun = self.hardware.edge();
         if self.recorder.is_some() {

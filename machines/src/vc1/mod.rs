@@ -46,6 +46,7 @@ mod processor;
 mod program;
 mod report;
 mod scan_conversion;
+mod way;
 mod words;
 
 pub use assignment::{Assign, Assignment, Polygon};

@@ -335,8 +335,10 @@ impl Processor {
             self.tasks.pop();
             match message {
                 Some(Message::Command { frame }) => {
-                    if let [Task::Frames(phase @ Phase::Cleared)] = &mut self.tasks[..] {
-                        *phase = Phase::Commanded(self.views.of(frame));
+                    if let ([Task::Frames(phase @ Phase::Cleared)], Some(view)) =
+                        (&mut self.tasks[..], self.views.of(frame))
+                    {
+                        *phase = Phase::Commanded(view);
                     }
                 }
                 Some(Message::Polygon { sender, vertices }) => {

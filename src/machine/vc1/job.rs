@@ -35,6 +35,9 @@ impl Job for Vc1Job {
         if let Some(recorder) = run.recorder {
             machine = machine.recorded(recorder);
         }
+        if let Some(follower) = run.follower {
+            machine = machine.following(follower);
+        }
         run.attach(machine.simulation())?;
         let (mut views, mut picture) = (self.views.iter().cloned(), None);
         let seen = |shown: Shown| {
@@ -44,6 +47,10 @@ impl Job for Vc1Job {
         let report = run
             .watch(|watch| machine.render_frames(self.background, watch, || views.next(), seen), Report::picoseconds)?;
         Ok((picture.expect("a view has a frame"), report))
+    }
+
+    fn follows(&self) -> bool {
+        true
     }
 }
 

@@ -1,6 +1,6 @@
-//! `tilewright why`: the cause of a value in a block's scenario.
+//! The cause of a value in a block's scenario.
 
-use crate::block::{BlockArguments, design, simulation};
+use crate::block::{blocks, design, setting, simulation, values};
 use crate::moment::{Moment, play_remembered};
 use crate::number::number;
 use crate::shell::{Exit, Failure, progress, terminal};
@@ -8,44 +8,33 @@ use clap::Args;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use tilewright_sim::{Cause, EngineKind, Limits, Part};
 
-/// Tells why a net has its value in a block's scenario: what decided it, step by step back
+/// The options for a block alone.
 #[derive(Args)]
-#[command(after_help = "\
-Examples:
-  tilewright why fifo --signal used
-  tilewright why patch-table --signal page --at 12
-  tilewright why scan-counter --signal pixel_x --depth 3 --json
-
-A line is a cause of the line above it that stands further left: `from` for what the value came from, `when` for what chose it, as a condition or an
-enable does. It has the value, the cycle since when, and the source line. A choice counts its condition and its chosen side alone, an AND that is 0 its zeros.
-The name is that of a waveform, such as `u_cell[3].sum`, or `squares[5]` for a word of a memory. Nothing has to be recorded before.
-
-Exit code 1 means that an assertion of the block fails. The cause is told all the same.")]
-pub struct Why {
-    #[command(flatten)]
-    block: BlockArguments,
+#[command(next_help_heading = "Options for a block")]
+pub struct BlockOptions {
     /// Name of a net, a register, a port or a word of a memory
-    #[arg(long, value_name = "NET")]
-    signal: String,
+    #[arg(long, value_name = "NET", required_unless_present = "pixel", conflicts_with = "pixel")]
+    pub signal: Option<String>,
     #[command(flatten)]
     moment: Moment,
     /// The most steps back
-    #[arg(long, value_name = "STEPS", default_value_t = 8, value_parser = number::<usize>(0..=1000))]
+    #[arg(long, value_name = "STEPS", default_value_t = 8, value_parser = number::<usize>(0..=1000), conflicts_with = "pixel")]
     depth: usize,
     /// About the most causes
-    #[arg(long, value_name = "CAUSES", default_value_t = 100, value_parser = number::<usize>(1..=1_000_000))]
+    #[arg(long, value_name = "CAUSES", default_value_t = 100, value_parser = number::<usize>(1..=1_000_000), conflicts_with = "pixel")]
     most: usize,
     /// Tell operations without a name, too
-    #[arg(long)]
+    #[arg(long, conflicts_with = "pixel")]
     operations: bool,
     /// Tell also why a register or a word was not written since
-    #[arg(long)]
+    #[arg(long, conflicts_with = "pixel")]
     kept: bool,
-    /// Print the tree as JSON
-    #[arg(long)]
-    json: bool,
+    /// Value of a parameter; may be repeated. `tilewright list BLOCK` shows names and ranges
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting, conflicts_with = "pixel")]
+    settings: Vec<(String, u64)>,
 }
 
 #[derive(Serialize)]
@@ -59,22 +48,23 @@ struct Report<'a> {
     cause: Value,
 }
 
-impl Why {
-    /// Plays the scenario, goes back to the cycle and prints the cause.
-    pub fn run(self) -> Result<Exit, Failure> {
-        let (entry, values) = self.block.find()?;
+impl BlockOptions {
+    /// Plays the scenario of the block of that name, goes back to the cycle and prints the cause, as text or as JSON.
+    pub fn run(&self, name: &OsStr, signal: &str, json: bool) -> Result<Exit, Failure> {
+        let entry = blocks().find(name).map_err(|sentence| Failure::new(Exit::BadInput, sentence))?;
+        let values = values(entry, &self.settings)?;
         let mut sim = simulation(&design(entry, &values)?, EngineKind::Compiled)?;
         let scenario = entry.scenario(&values)?;
         // A name that there is not costs no run.
-        sim.why_within(self.signal.as_str(), &Limits { depth: 0, ..Limits::default() })?;
+        sim.why_within(signal, &Limits { depth: 0, ..Limits::default() })?;
         let failed = play_remembered(&mut sim, &scenario)?;
         sim.go_to(self.moment.time(&sim)?)?;
         progress::phase("looking for causes");
-        let cause = sim.why_within(self.signal.as_str(), &self.limits())?;
-        if self.json {
+        let cause = sim.why_within(signal, &self.limits())?;
+        if json {
             let (parameters, complete) = (values.iter().collect(), cause.notes().is_empty());
             let cause = node(&cause);
-            let (block, signal) = (entry.name, self.signal.as_str());
+            let block = entry.name;
             terminal::print_json(&Report { format: 1, block, parameters, signal, complete, cause })?;
         } else {
             terminal::print(&text(&cause))?;

@@ -1,0 +1,190 @@
+//! The way of a pixel through a machine.
+
+use super::text::{Told, json, text};
+use crate::engine::EngineArguments;
+use crate::machine::{Job, Machine, MachineArguments, Run};
+use crate::names;
+use crate::save_file::{self, is_ours, viewers, waveform};
+use crate::scene::{load, size};
+use crate::shell::output::{Output, Waveform};
+use crate::shell::place::{beside, check_distinct};
+use crate::shell::text::legible;
+use crate::shell::{Exit, Failure, progress, terminal};
+use crate::trace::TraceOptions;
+use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use tilewright_machines::{Follower, Step, Way};
+use tilewright_scenes::{Scene, Size};
+
+/// Clocks of the waveform on each side of the step.
+const CLOCKS: u64 = 20;
+
+/// The options for a scene alone.
+#[derive(Args)]
+#[command(next_help_heading = "Options for a scene")]
+pub struct SceneOptions {
+    /// Column and row of the pixel, from the upper left corner, such as 396,189
+    #[arg(long, value_name = "X,Y", value_parser = place, conflicts_with_all = ["at", "clock"])]
+    pub pixel: Option<[u32; 2]>,
+    /// The machine; options for each machine are listed below
+    #[arg(long, value_enum, value_parser = names::of::<Machine>("machine"), conflicts_with = "signal")]
+    machine: Option<Machine>,
+    /// Size of the frame in pixels [default: what the scene asks for]
+    #[arg(long, value_name = "WxH", value_parser = size, conflicts_with = "signal")]
+    size: Option<Size>,
+    /// The waveform around the first difference: an FST file if the name ends in .fst, and else a VCD file; `-` is standard output
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(waveform), conflicts_with = "signal")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    options: MachineArguments,
+}
+
+/// A pixel such as `396,189`.
+fn place(text: &str) -> Result<[u32; 2], String> {
+    let place = text.split_once(',').and_then(|(x, y)| Some([x.parse().ok()?, y.parse().ok()?]));
+    place.ok_or_else(|| "give two whole numbers of pixels, from the left and from the top, such as 396,189".to_owned())
+}
+
+impl SceneOptions {
+    fn machine(&self) -> Machine {
+        self.machine.unwrap_or(Machine::Vc1)
+    }
+
+    /// Refuses the options of machines, for a block.
+    ///
+    /// # Errors
+    /// One is given.
+    pub fn refuse(&self) -> Result<(), Failure> {
+        let Some(option) = self.options.given() else { return Ok(()) };
+        let sentence = format!("{option} is an option for a scene, and --signal asks about a block: leave it out");
+        Err(Failure::new(Exit::BadInput, sentence))
+    }
+
+    /// Renders the scene of that name, and tells the way of the pixel, as text or as JSON.
+    pub fn run(&self, name: &OsStr, pixel: [u32; 2], json: bool) -> Result<Exit, Failure> {
+        let machine = self.machine();
+        self.options.check(machine)?;
+        if let Some(option) = self.options.several(machine) {
+            let sentence = format!("{option} makes several frames, and a pixel is followed in one: leave it out");
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        let save = self.output.as_deref().and_then(|path| beside(path, "gtkw"));
+        let scene = load(name, self.size)?;
+        let written: Vec<&Path> = self.output.iter().chain(&save).map(PathBuf::as_path).collect();
+        check_distinct(&written, &scene.files.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
+        let asked = Asked { scene: &scene, machine, pixel, json, output: self.output.as_deref(), save };
+        let strict = self.options.order.strict;
+        match machine {
+            Machine::Vc1 => asked.answer(&self.options.vc1.job(&scene)?),
+            Machine::Quadtree => asked.answer(&self.options.quadtree.job(&scene, strict)?),
+            Machine::PixelPlanes => asked.answer(&self.options.pixel_planes.job(&scene, strict)?),
+            Machine::PixelFlow => asked.answer(&self.options.pixelflow.job(&scene)?),
+        }
+    }
+}
+
+/// A pixel of a scene on a machine.
+struct Asked<'a> {
+    scene: &'a Scene,
+    machine: Machine,
+    pixel: [u32; 2],
+    json: bool,
+    output: Option<&'a Path>,
+    save: Option<PathBuf>,
+}
+
+impl Asked<'_> {
+    fn answer(&self, job: &impl Job) -> Result<Exit, Failure> {
+        let (size, [x, y], machine) = (job.size(), self.pixel, self.machine.name());
+        let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
+        if !job.follows() {
+            return bad(format!("{machine} does not tell the way of a pixel yet: pass --machine vc1"));
+        }
+        if x >= size.width() || y >= size.height() {
+            let (right, bottom) = (size.width() - 1, size.height() - 1);
+            return bad(format!(
+                "pixel {x},{y} is outside of a picture of {size}: give one from 0,0 to {right},{bottom}"
+            ));
+        }
+        let waveform = self.output.map(Waveform::at).transpose()?;
+        let golden = job.golden()?;
+        let (follower, filters) = (Follower::new(self.pixel), TraceOptions::default());
+        let engine = EngineArguments::default();
+        progress::phase("building");
+        let rendered = job.render(&Run { follower: Some(&follower), ..Run::new(engine, &filters) });
+        let way = follower.take();
+        let (frame, failed) = match rendered {
+            Ok((frame, _)) => (Some(frame), None),
+            Err(failure) => (None, Some(failure)),
+        };
+        let asked_to_end = |it: &Failure| matches!(it.exit, Exit::Interrupted | Exit::HungUp | Exit::Terminated);
+        let way = match (way, failed) {
+            (None, Some(failure)) => return Err(failure),
+            (Some(_), Some(failure)) if asked_to_end(&failure) => return Err(failure),
+            (way, failed) => (way.unwrap_or_default(), failed),
+        };
+        let (way, failed) = way;
+        let told = Told {
+            scene: &self.scene.name,
+            machine,
+            size,
+            pixel: self.pixel,
+            shown: frame.map(|frame| frame.word(x, y)),
+            golden: golden.word(x, y),
+            way: &way,
+        };
+        let mut files = Vec::new();
+        if let Some(waveform) = &waveform {
+            files = self.write_wave(job, waveform, &way)?;
+        }
+        match self.json {
+            true => terminal::print_json(&json(&told))?,
+            false => terminal::print(&legible(&text(&told)))?,
+        }
+        files.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
+        match failed {
+            // A check of the machine itself failed.
+            Some(failure) => Err(failure.with(Exit::CheckFailed)),
+            None if told.is_right() => Ok(Exit::Done),
+            None => Ok(Exit::CheckFailed),
+        }
+    }
+
+    /// Renders again and writes the waveform around a step, and its save file. Returns the commands that open them.
+    fn write_wave(&self, job: &impl Job, waveform: &Waveform, way: &Way) -> Result<Vec<String>, Failure> {
+        let Some(step) = way.first_difference().or_else(|| last(way)) else { return Ok(Vec::new()) };
+        let around = CLOCKS * (step.time / step.cycle.max(1));
+        let times = step.time.saturating_sub(around)..step.time + around;
+        let filters = TraceOptions::of(scopes(step), times.clone());
+        let ours = self.save.as_deref().filter(|path| is_ours(path)).map(Output::at).transpose()?;
+        let run = Run { waveform: Some(waveform), ..Run::new(EngineArguments::default(), &filters) };
+        progress::phase("building");
+        // The run fails as the first one did, and the waveform is there.
+        let rendered = job.render(&run).map(|_| ());
+        let is_written = Failure::leaves_a_waveform(&rendered);
+        if let Err(failure) = rendered
+            && !is_written
+        {
+            return Err(failure);
+        }
+        let (Some(path), Some(save), Some(ours)) = (self.output, &self.save, ours) else { return Ok(Vec::new()) };
+        let header = run.header.take();
+        ours.write(save_file::of(path, &header, times, true).as_bytes())?;
+        Ok(viewers(path, save))
+    }
+}
+
+/// The last step of the visible primitive, or of any.
+fn last(way: &Way) -> Option<&Step> {
+    let winner = way.primitives.iter().find(|it| it.wins).map(|it| it.number);
+    let of_winner = way.steps.iter().rfind(|step| winner.is_some() && step.primitive == winner);
+    of_winner.or(way.steps.last())
+}
+
+/// The signals of the step's unit, and those of the top.
+fn scopes(step: &Step) -> Vec<String> {
+    let unit = step.net.as_deref().and_then(|net| net.rsplit_once('.')).map(|(unit, _)| format!("{unit}.**"));
+    unit.map_or_else(Vec::new, |unit| vec![unit, "*".to_owned()])
+}

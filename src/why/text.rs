@@ -1,0 +1,172 @@
+//! The way of a pixel, as text and as JSON.
+
+use crate::block::entries;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use tilewright_machines::{Primitive, Step, Way};
+use tilewright_scenes::Size;
+use tilewright_scenes::frame::{depth_of, rgb_of};
+
+/// What is told of a pixel.
+pub struct Told<'a> {
+    pub scene: &'a str,
+    pub machine: &'static str,
+    pub size: Size,
+    pub pixel: [u32; 2],
+    /// The word in the frame; `None` if there is no frame.
+    pub shown: Option<u64>,
+    /// The word in the golden image.
+    pub golden: u64,
+    pub way: &'a Way,
+}
+
+impl Told<'_> {
+    /// Whether the frame has the golden image's pixel.
+    pub fn is_right(&self) -> bool {
+        self.shown == Some(self.golden)
+    }
+}
+
+/// The pixel, the primitives, the steps, and the first difference.
+pub fn text(told: &Told) -> String {
+    let Told { scene, machine, size, pixel: [x, y], shown, golden, way } = told;
+    let verdict = match shown {
+        None => "the machine showed no frame",
+        Some(_) if told.is_right() => "as in the golden image",
+        Some(_) => "NOT as in the golden image",
+    };
+    let mut text = format!("pixel {x},{y} of {scene} on {machine}, {size} pixels: {verdict}\n");
+    if let Some(shown) = shown {
+        let _ = writeln!(text, "shown   {}", pixel(*shown));
+    }
+    let _ = writeln!(text, "golden  {}\n", pixel(*golden));
+    match way.primitives.len() {
+        0 => text += "no primitive covers the pixel\n",
+        1 => text += "1 primitive covers the pixel:\n",
+        count => {
+            let _ = writeln!(text, "{count} primitives cover the pixel:");
+        }
+    }
+    way.primitives.iter().for_each(|it| text += &format!("  {}\n", primitive(it)));
+    text += "\n";
+    text += &steps(way);
+    text += &closing(way);
+    text
+}
+
+/// A pixel of a frame.
+fn pixel(word: u64) -> String {
+    let [r, g, b] = rgb_of(word);
+    format!("colour {r:02x}{g:02x}{b:02x}, depth {:06x}", depth_of(word))
+}
+
+fn primitive(it: &Primitive) -> String {
+    let word = |word: Option<u64>| word.map_or("nothing".to_owned(), |word| format!("{word:012x}"));
+    let Primitive { name, golden, hardware, wins, .. } = it;
+    let drawn = match hardware == golden {
+        true => word(*hardware),
+        false => format!("{} (golden: {})", word(*hardware), word(*golden)),
+    };
+    format!("{name}: {drawn}{}", if *wins { ", visible" } else { "" })
+}
+
+/// A line for each step, by time: the clock, what the unit does, and the values.
+fn steps(way: &Way) -> String {
+    let first = way.first_difference();
+    let mut text = String::new();
+    let time = |step: &Step| format!("{:.3} us", step.time as f64 / 1e6);
+    let clock = |step: &Step| format!("{} {}", step.clock, step.cycle);
+    let longest = |of: &dyn Fn(&Step) -> String| way.steps.iter().map(|step| of(step).len()).max().unwrap_or(0);
+    let [times, clocks] = [longest(&time), longest(&clock)];
+    for step in &way.steps {
+        let mark = match first {
+            Some(first) if std::ptr::eq(first, step) => ">",
+            _ if step.differs() => "!",
+            _ => " ",
+        };
+        let values: Vec<String> = step.values.iter().map(value).collect();
+        let of = step.primitive.and_then(|number| way.primitives.iter().find(|it| it.number == number));
+        let of = of.filter(|_| way.primitives.len() > 1).map_or_else(String::new, |it| format!("{}: ", it.name));
+        let (time, clock) = (time(step), clock(step));
+        let _ = writeln!(
+            text,
+            "{mark} {time:>times$}  {clock:<clocks$}  {of}{} {}: {}",
+            step.unit,
+            step.does,
+            values.join(", ")
+        );
+    }
+    text
+}
+
+/// A value, with the model's if that is another one.
+fn value(it: &tilewright_machines::Compared) -> String {
+    match &it.golden {
+        Some(golden) if it.differs() => format!("{} {} (model: {golden})", it.what, it.hardware),
+        _ => format!("{} {}", it.what, it.hardware),
+    }
+}
+
+/// The sentence on the first difference.
+fn closing(way: &Way) -> String {
+    let Some(step) = way.first_difference() else {
+        return "\nno step differs from its model\n".to_owned();
+    };
+    let source = source(step.block).map(|file| format!(" ({file})")).unwrap_or_default();
+    let differs = step.values.iter().find(|value| value.differs());
+    let values = differs.map_or_else(String::new, |it| {
+        format!(": {} is {}, and the model has {}", it.what, it.hardware, it.golden.as_deref().unwrap_or_default())
+    });
+    format!("\nthe first difference is in {}{source}: {} {}{values}\n", step.block, step.unit, step.does)
+}
+
+/// The file that describes a block of the catalogue with its usual parameters.
+fn source(block: &str) -> Option<&'static str> {
+    let entry = entries().find(|entry| entry.name == block)?;
+    let design = entry.design(&entry.values([]).ok()?).ok()?;
+    Some(design.top().loc.file())
+}
+
+/// The same as JSON.
+pub fn json(told: &Told) -> Value {
+    let Told { scene, machine, size, pixel, shown, golden, way } = told;
+    let hex = |word: u64| format!("{word:012x}");
+    let primitive = |it: &Primitive| {
+        let Primitive { number, name, golden, hardware, wins } = it;
+        json!({ "number": number, "name": name, "golden": golden.map(hex), "hardware": hardware.map(hex), "visible": wins })
+    };
+    let value = |it: &tilewright_machines::Compared| json!({ "what": it.what, "hardware": it.hardware, "model": it.golden, "differs": it.differs() });
+    let step = |it: &Step| {
+        json!({
+            "primitive": it.primitive,
+            "unit": it.unit,
+            "block": it.block,
+            "does": it.does,
+            "clock": it.clock,
+            "cycle": it.cycle,
+            "picoseconds": it.time,
+            "net": it.net,
+            "values": it.values.iter().map(value).collect::<Vec<_>>(),
+            "differs": it.differs(),
+        })
+    };
+    let first = way.first_difference().and_then(|first| way.steps.iter().position(|it| std::ptr::eq(it, first)));
+    let difference = first.map(|number| {
+        let block = way.steps[number].block;
+        json!({ "step": number, "block": block, "source": source(block) })
+    });
+    json!({
+        "format": 1,
+        "scene": scene,
+        "machine": machine,
+        "width": size.width(),
+        "height": size.height(),
+        "pixel": pixel,
+        "shown": shown.map(hex),
+        "golden": hex(*golden),
+        "identical": told.is_right(),
+        "primitives": way.primitives.iter().map(primitive).collect::<Vec<_>>(),
+        "steps": way.steps.iter().map(step).collect::<Vec<_>>(),
+        "first_difference": difference,
+    })
+}
