@@ -9,6 +9,7 @@ pub mod quadtree;
 mod random;
 mod run;
 mod threads;
+mod told;
 pub mod vc1;
 mod way;
 

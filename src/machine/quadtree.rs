@@ -138,11 +138,18 @@ impl Job for QuadtreeJob {
         if let Some(recorder) = run.recorder {
             machine = machine.recorded(recorder);
         }
+        if let Some(follower) = run.follower {
+            machine = machine.following(follower);
+        }
         run.attach(machine.simulation())?;
         run.watch(
             |watch| machine.render(&self.polygons.polygons, self.background, watch),
             |(_, report)| report.phases.iter().map(|phase| phase.picoseconds).sum(),
         )
+    }
+
+    fn follows(&self) -> bool {
+        true
     }
 }
 

@@ -8,6 +8,7 @@ use tilewright_sim::Port;
 use super::hardware::Hardware;
 use super::history::Recording;
 use super::report::{Phase, Report};
+use super::way::Following;
 use crate::error::Error;
 use crate::run::{PROGRESS_CLOCKS, Watch};
 
@@ -19,6 +20,8 @@ pub(crate) struct Host<'a, 'w> {
     pub phases: Vec<Phase>,
     /// The recorded history, if there is one.
     pub recording: Option<Recording>,
+    /// What follows a pixel, if one is followed.
+    pub following: Option<Box<Following>>,
     /// The current phase.
     current: &'static str,
     /// The clock of the next report of progress.
@@ -27,41 +30,67 @@ pub(crate) struct Host<'a, 'w> {
 
 impl<'a, 'w> Host<'a, 'w> {
     pub fn new(hardware: &'a mut Hardware, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
-        Host { hardware, watch, phases: Vec::new(), recording: None, current: "", next: 0 }
+        Host { hardware, watch, phases: Vec::new(), recording: None, following: None, current: "", next: 0 }
     }
 
     /// Sends the packets, and waits until all pixels are drawn.
     pub fn draw(&mut self, packets: &[Polygon]) -> Result<(), Error> {
         self.phase(Report::DRAWING, |host| {
-            let ready = host.hardware.sim.i.packets.ready;
-            for (number, packet) in packets.iter().enumerate() {
-                let done = number as f64 / packets.len() as f64;
-                host.hardware.present(packet);
-                host.wait_for(ready, done)?;
-                host.step(done)?;
+            let drawn = host.send(packets);
+            let clock = host.hardware.clocks() + 1;
+            if let Some(following) = &mut host.following {
+                following.ends(&mut host.hardware.sim, clock);
             }
-            host.hardware.withdraw();
-            host.wait_for(host.hardware.sim.o.idle, 1.0)
+            drawn
         })
+    }
+
+    fn send(&mut self, packets: &[Polygon]) -> Result<(), Error> {
+        let ready = self.hardware.sim.i.packets.ready;
+        for (number, packet) in packets.iter().enumerate() {
+            let done = number as f64 / packets.len() as f64;
+            self.hardware.present(packet);
+            self.wait_for(ready, done)?;
+            self.step(done)?;
+        }
+        self.hardware.withdraw();
+        self.wait_for(self.hardware.sim.o.idle, 1.0)
     }
 
     /// Swaps the banks and reads what was drawn, line by line from the upper left.
     pub fn read_out(&mut self, size: Size, background: [u8; 3]) -> Result<Vec<u64>, Error> {
         self.phase(Report::READ_OUT, |host| {
+            if let Some(following) = &mut host.following {
+                following.swaps();
+            }
             host.hardware.swap()?;
+            let clock = host.hardware.clocks();
+            if let Some(following) = &mut host.following {
+                following.reads(&mut host.hardware.sim, clock);
+            }
             host.hardware.show(background)?;
+            // Followed hardware may be wrong, and the picture is to be seen all the same.
+            let most = host.following.as_ref().map(|_| host.hardware.clocks() + 8 * size.pixels() as u64 + 1000);
             let (pixels, width) = (size.pixels(), size.width() as usize);
             let showing = host.hardware.sim.o.showing;
             let mut words = Vec::with_capacity(pixels);
             // Groups of neighbouring pixels; the last group of a line may extend beyond its end.
             let mut line = 0;
-            while host.hardware.is_high(showing) {
+            while host.hardware.is_high(showing) && most.is_none_or(|most| host.hardware.clocks() < most) {
                 if let Some(mut group) = host.hardware.words() {
                     group.truncate(width - line);
+                    if let Some(following) = &mut host.following {
+                        let clock = host.hardware.clocks() + 1;
+                        following.group(&mut host.hardware.sim, clock, words.len(), group.len());
+                    }
                     line = (line + group.len()) % width;
                     words.append(&mut group);
                 }
                 host.step(words.len() as f64 / pixels as f64)?;
+            }
+            if let Some(following) = &mut host.following {
+                following.read(host.hardware.clocks());
+                words.resize(pixels, 0);
             }
             Ok(words)
         })
@@ -75,9 +104,13 @@ impl<'a, 'w> Host<'a, 'w> {
     /// Waits until a flag is high; `done` is the part of the phase that is done.
     fn wait_for(&mut self, flag: Port, done: f64) -> Result<(), Error> {
         while !self.hardware.is_high(flag) {
-            match self.recording {
-                Some(_) => self.step(done)?,
-                None => {
+            match (&self.recording, &self.following) {
+                (_, Some(following)) if following.is_stuck() => {
+                    let (unit, clock) = ("the generator".to_owned(), self.hardware.clocks());
+                    return Err(Error::Differs { unit, signal: "the end of drawing", clock, seen: 0, expected: 1 });
+                }
+                (Some(_), _) | (_, Some(_)) => self.step(done)?,
+                (None, None) => {
                     self.hardware.run_until(flag, PROGRESS_CLOCKS)?;
                     self.progress(done)?;
                 }
@@ -88,6 +121,10 @@ impl<'a, 'w> Host<'a, 'w> {
 
     /// Advances by a clock.
     fn step(&mut self, done: f64) -> Result<(), Error> {
+        if let Some(following) = &mut self.following {
+            let clock = self.hardware.clocks() + 1;
+            following.look(&mut self.hardware.sim, clock);
+        }
         self.hardware.step()?;
         if let Some(recording) = &mut self.recording {
             recording.see(self.hardware);

@@ -11,9 +11,11 @@ use super::hardware::Hardware;
 use super::history::Recording;
 use super::host::Host;
 use super::report::Report;
+use super::way::Following;
 use crate::error::Error;
 use crate::history::Recorder;
 use crate::run::Watch;
+use crate::way::Follower;
 
 /// A generator of p x q video processors, and its host.
 ///
@@ -34,6 +36,7 @@ pub struct Machine {
     hardware: Hardware,
     state: State,
     recorder: Option<Recorder>,
+    follower: Option<Follower>,
 }
 
 /// The last activity of the machine.
@@ -53,7 +56,7 @@ impl Machine {
     /// [`Error::Parameter`] if a parameter is out of range.
     pub fn new(config: Config) -> Result<Machine, Error> {
         let hardware = Hardware::new(&config.generator()?)?;
-        Ok(Machine { config, hardware, state: State::New, recorder: None })
+        Ok(Machine { config, hardware, state: State::New, recorder: None, follower: None })
     }
 
     /// The same machine on that engine of the simulator; the compiled one is the default.
@@ -69,6 +72,18 @@ impl Machine {
     /// The same machine with a recorder. It is then observed in each clock, which is slower.
     pub fn recorded(mut self, recorder: &Recorder) -> Machine {
         self.recorder = Some(recorder.clone());
+        self
+    }
+
+    /// The same machine with a follower of a pixel on its screen. It is then observed in each clock, which is slower.
+    ///
+    /// # Panics
+    /// The pixel is outside of the screen.
+    #[track_caller]
+    pub fn following(mut self, follower: &Follower) -> Machine {
+        let (size, [x, y]) = (self.config.size, follower.pixel);
+        assert!(x < size.width() && y < size.height(), "pixel {x},{y} is outside of a screen of {size}");
+        self.follower = Some(follower.clone());
         self
     }
 
@@ -118,11 +133,17 @@ impl Machine {
         let (time, period) = (self.hardware.sim.time(), self.hardware.sim.program().clocks[0].period);
         let recording =
             self.recorder.as_ref().map(|_| Recording::new(&self.config, background, before.clone(), time, period));
+        let following = |it: &Follower| Following::new(it, &self.config, packets, background, period).map(Box::new);
+        let following = self.follower.as_ref().map(following).transpose()?;
         let mut host = Host::new(&mut self.hardware, watch);
-        host.recording = recording;
-        host.draw(packets)?;
+        (host.recording, host.following) = (recording, following);
+        let drawn = host.draw(packets);
         let recording = host.recording.take().map(|recording| (recording, host.time()));
-        let words = host.read_out(size, background)?;
+        let words = drawn.and_then(|()| host.read_out(size, background));
+        if let (Some(mut following), Err(error)) = (host.following.take(), &words) {
+            following.fails(error);
+        }
+        let words = words?;
         let phases = host.phases;
 
         let end = self.hardware.sim.time();

@@ -29,6 +29,7 @@ mod rectangles;
 mod report;
 mod stages;
 mod study;
+mod way;
 mod windows;
 
 pub use crate::mean::Mean;

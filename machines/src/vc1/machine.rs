@@ -119,6 +119,9 @@ impl Machine {
         seen: impl FnMut(Shown) -> bool,
     ) -> Result<Report, Error> {
         let rendered = self.run(background, watch, views, seen);
+        if let (Some(following), Err(error)) = (&mut self.hardware.following, &rendered) {
+            following.fails(error);
+        }
         // It leaves the way.
         self.hardware.following = None;
         Error::of_both(rendered, self.hardware.sim.finish())

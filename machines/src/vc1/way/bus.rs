@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use tilewright_scenes::ScreenVertex;
 
-use super::compared;
-use super::told::{At, Edge, Told};
+use super::{Sim, net, pe};
+use crate::told::{At, Told, compared};
 use crate::vc1::job::View;
 use crate::vc1::words::{Message, POLYGON_WORDS, Word};
 use crate::way::Primitive;
@@ -64,7 +64,13 @@ impl Bus {
     }
 
     /// A processing element received a word.
-    pub fn receives(&mut self, clock: u64, number: u32, word: Word, (primitives, told): (&[Primitive], &mut Told)) {
+    pub fn receives(
+        &mut self,
+        sim: &mut Sim,
+        clock: u64,
+        (number, word): (u32, Word),
+        (primitives, told): (&[Primitive], &mut Told),
+    ) {
         let at_word = (self.received[number as usize] - self.gone) as usize;
         let expected = self.words.get(at_word).copied();
         self.received[number as usize] += 1;
@@ -73,11 +79,14 @@ impl Bus {
                 Some(Word { word, last }) => format!("{word:08x}{}", if last { ", the last" } else { "" }),
                 None => "nothing".to_owned(),
             };
+            // The port is a wire from the bus.
+            let port = sim.o.processors[number as usize].received;
+            let last = sim.get_u64(port.last) != net(sim, &format!("u_bus.received_{number}_last"));
+            let is_wire = last || sim.get_u64(port.word) != net(sim, &format!("u_bus.received_{number}_word"));
             told.check("word", number, false, || {
                 let values = vec![compared("word", shown(Some(word)), shown(expected))];
-                at(clock)
-                    .step(format!("brings a word to PE {number}"), values)
-                    .on(format!("u_bus.received_{number}_word"))
+                let at = At { block: if is_wire { "vc1" } else { "broadcast-bus" }, ..at(clock) };
+                at.step(format!("brings a word to PE {number}"), values).on(format!("u_bus.received_{number}_word"))
             });
         }
         let packet = &mut self.packets[number as usize];
@@ -119,5 +128,5 @@ impl Bus {
 }
 
 fn at(clock: u64) -> At {
-    At { unit: "broadcast bus".to_owned(), block: "broadcast-bus", edge: Edge::pe(clock) }
+    At { unit: "broadcast bus".to_owned(), block: "broadcast-bus", edge: pe(clock) }
 }

@@ -3,8 +3,8 @@
 use tilewright_rtl::vc1::Vc1;
 
 use super::image::Image;
-use super::told::{At, Edge, Told};
-use super::{Followed, Sim, compared, hex, net, word, yes};
+use super::{Followed, Sim, net, pe, word};
+use crate::told::{At, Told, compared, hex, yes};
 use crate::vc1::scan_conversion::Pixel;
 
 /// The states of a look-up, as the patch table numbers them.
@@ -101,7 +101,7 @@ impl Drawing {
 
     fn at(&self, unit: &str, block: &'static str, clock: u64) -> At {
         let unit = format!("{unit} of PE {}", self.number);
-        At { unit, block, edge: Edge::pe(clock) }
+        At { unit, block, edge: pe(clock) }
     }
 
     /// Whether something is under way.
@@ -131,7 +131,7 @@ impl Drawing {
         let place = self.patches.place(pixel.x, pixel.y);
         let (patch, offset) = (place.patch as u32, place.offset as u32);
         if is_followed {
-            let at = At { unit: format!("PE {}", self.number), block: "vc1", edge: Edge::pe(clock) };
+            let at = At { unit: format!("PE {}", self.number), block: "vc1", edge: pe(clock) };
             let golden = if primitive.is_some() { hex(pixel.word) } else { "nothing".to_owned() };
             let values = vec![compared("word", hex(pixel.word), golden)];
             told.tell(at.step("draws the pixel", values).of(primitive).on(&self.nets.request[2]));

@@ -5,8 +5,8 @@ use std::collections::{HashMap, VecDeque};
 use tilewright_rtl::lfb::Patches;
 
 use super::drawing::Drawn;
-use super::told::{At, Edge, Told};
-use super::{Sim, compared, hex, net, word};
+use super::{Sim, net, pe, word};
+use crate::told::{At, Told, compared, hex};
 
 /// The word of a pixel where nothing is drawn.
 pub(super) const EMPTY: u64 = (1 << 48) - 1;
@@ -61,7 +61,7 @@ impl Image {
     }
 
     fn at(&self, unit: &str, block: &'static str, clock: u64) -> At {
-        At { unit: format!("{unit} of PE {}", self.number), block, edge: Edge::pe(clock) }
+        At { unit: format!("{unit} of PE {}", self.number), block, edge: pe(clock) }
     }
 
     pub fn is_busy(&self) -> bool {

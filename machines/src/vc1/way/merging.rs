@@ -1,18 +1,21 @@
 //! The merger: the scan, the rounds in which the pixel passes the chain, and the swap of the global frame buffer.
 
+use tilewright_rtl::lfb::ScanCounter;
+use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::Vc1;
 
 use super::drawing::Drawing;
 use super::round::Round;
 use super::sequencer::{Scan, Sequencer};
-use super::told::{At, Edge, Told};
-use super::{Followed, Sim, compared, net, yes};
+use super::{Followed, Sim, merge, net};
+use crate::told::{At, Edge, Told, compared, yes};
 
 /// The models of the merger's units.
 pub(super) struct Merging {
     followed: Followed,
     background: u64,
     processors: u32,
+    screen: Screen,
     sequencer: Sequencer,
     banks: Banks,
     /// The rounds in which the pixel is under way, the oldest first.
@@ -49,6 +52,7 @@ impl Merging {
             followed,
             background,
             processors: machine.processors,
+            screen: machine.lfb.patches.screen(),
             sequencer,
             banks: Banks {
                 merge_clocks: swap.merge_clocks,
@@ -80,7 +84,7 @@ impl Merging {
     /// Looks at the units before the edge after `clock`.
     pub fn look(&mut self, sim: &mut Sim, clock: u64, (drawing, told): (&mut [Drawing], &mut Told)) {
         self.clock = clock + 1;
-        let edge = Edge::merge(clock + 1);
+        let edge = merge(clock + 1);
         let restart = net(sim, "u_gfb.u_sequencer.restart") == 1;
         let (seen, expected) = (Scan::seen(sim), self.sequencer.scan(restart));
         if seen != expected {
@@ -92,6 +96,7 @@ impl Merging {
             });
         }
         self.sequencer.edge(restart);
+        self.wires(sim, edge, seen, told);
         let before = self.scan.replace(seen);
         if before.is_some_and(|it| it.enable && !it.restart) {
             for round in &mut self.rounds {
@@ -114,6 +119,38 @@ impl Merging {
         }
         if self.banks.look(sim, edge, (seen.enable, restart), told) {
             self.frames = self.frames.saturating_sub(1);
+        }
+    }
+
+    /// Looks at the control of the scan in one of the units, in each clock in another one.
+    fn wires(&self, sim: &mut Sim, edge: Edge, scan: Scan, told: &mut Told) {
+        let number = (edge.number % u64::from(self.processors)) as u32;
+        let screen = self.screen;
+        let preset = ScanCounter::preset(screen, number);
+        let unit = |path: &str| format!("{}.{path}", format_args!("u_lfb[{number}]"));
+        let wires = [
+            ("vc1", unit("scan_restart"), u64::from(scan.restart)),
+            ("vc1", unit("scan_enable"), scan.enable.into()),
+            ("vc1", unit("preset_x"), preset.x),
+            ("vc1", unit("preset_y"), preset.y),
+            ("lfb-unit", unit("u_scan_counter.scan_restart"), scan.restart.into()),
+            ("lfb-unit", unit("u_scan_counter.scan_enable"), scan.enable.into()),
+            ("lfb-unit", unit("u_scan_counter.preset_x"), preset.x),
+            ("lfb-unit", unit("u_scan_counter.preset_y"), preset.y),
+            ("lfb-unit", unit("u_image_memory.send_enable"), scan.enable.into()),
+            ("lfb-unit", unit("u_patch_table.scan_enable"), scan.enable.into()),
+            ("vc1", "u_merger.enable".to_owned(), scan.enable.into()),
+            ("image-merger", format!("u_merger.u_merging_unit[{number}].enable"), scan.enable.into()),
+        ];
+        for (block, name, expected) in wires {
+            let value = net(sim, &name);
+            if value != expected {
+                told.check("scan wire", 0, false, || {
+                    let at = At { unit: format!("wire to `{name}`"), block, edge };
+                    at.step("brings the control of the scan", vec![compared("value", value, expected)]).on(&name)
+                });
+                return;
+            }
         }
     }
 }

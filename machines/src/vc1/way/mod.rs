@@ -11,10 +11,10 @@ mod round;
 mod sequencer;
 mod showing;
 mod swaps;
-mod told;
 
 use std::sync::Arc;
 
+use tilewright_rtl::clocks::{CRT, MERGE, PE};
 use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
 use tilewright_scenes::frame::blank;
@@ -23,13 +23,14 @@ use tilewright_sim::Simulation;
 use super::job::View;
 use super::notes::Handshakes;
 use super::program::Access;
-use crate::way::{Compared, Follower, Primitive, Way};
+use crate::error::Error;
+use crate::told::{At, Edge, Told, compared, hex};
+use crate::way::{Follower, Primitive, Way};
 use bus::Bus;
 use drawing::Drawing;
 use merging::Merging;
 use showing::Showing;
 use swaps::Swaps;
-use told::Told;
 
 /// The simulation that is observed.
 type Sim = Simulation<Vc1In, Vc1Out>;
@@ -144,7 +145,7 @@ impl Following {
             self.bus.carries(clock, number, word, &mut self.told);
         }
         if let Some(word) = at.received {
-            self.bus.receives(clock, number, word, (&self.primitives, &mut self.told));
+            self.bus.receives(sim, clock, (number, word), (&self.primitives, &mut self.told));
         }
         let drawing = &mut self.drawing[number as usize];
         let has_page = drawing.has_page();
@@ -162,12 +163,61 @@ impl Following {
     /// Notes that all have drawn the frame.
     pub fn drawn(&mut self, clock: u64) {
         let missing = self.primitives.iter().filter(|it| it.hardware.is_none());
-        missing.for_each(|it| self.told.never_drawn(clock, it));
+        missing.for_each(|it| {
+            let at = At { unit: "processing elements".to_owned(), block: "vc1", edge: pe(clock) };
+            let values = vec![compared("word", "nothing", hex(it.golden.unwrap_or_default()))];
+            self.told.tell(at.step("draw the pixel", values).of(Some(it.number)));
+        });
     }
 
     /// Looks at the merger after an edge of its clock.
     pub fn merger(&mut self, sim: &mut Sim, clock: u64) {
         self.merging.look(sim, clock, (&mut self.drawing, &mut self.told));
+    }
+
+    /// Notes what ended the run.
+    pub fn fails(&mut self, error: &Error) {
+        if let Error::Differs { unit, signal, clock, seen, expected } = error
+            && !self.told.differs()
+        {
+            self.is_late(unit, signal, *clock, [*seen, *expected]);
+        }
+        self.told.fails(error, &[PE.name, MERGE.name, CRT.name], |instance| match instance {
+            "u_lfb" => "lfb-unit",
+            "u_patch_table" => "patch-table",
+            "u_page_id_generator" => "page-id-generator",
+            "u_image_memory" => "image-memory",
+            "u_scan_counter" => "scan-counter",
+            "u_merger" => "image-merger",
+            "u_merging_unit" => "merging-unit",
+            "u_gfb" => "gfb-unit",
+            "u_sequencer" => "gfb-sequencer",
+            "u_crt" => "crt-read-out",
+            "u_multipass" => "multipass-control",
+            "u_accumulation" => "accumulation",
+            "u_swap" => "vc1-swap",
+            "u_lfb_swap" => "lfb-swap",
+            "u_gfb_swap" => "gfb-swap",
+            "u_sync_line" => "sync-line",
+            "u_bus" => "broadcast-bus",
+            "u_queue" => "fifo",
+            _ => "vc1",
+        });
+    }
+
+    /// Tells an event that the model of the machine's clocks expects at another time, where all values were right.
+    fn is_late(&mut self, unit: &str, signal: &'static str, clock: u64, [seen, expected]: [u64; 2]) {
+        let block = match (unit, signal) {
+            ("the bus", _) | (_, "the number of words received" | "the word received") => "broadcast-bus",
+            ("the merger", "the number of scan restarts") => "gfb-sequencer",
+            ("the merger", _) => "gfb-swap",
+            (_, "the number of sync lines seen") => "sync-line",
+            (_, "the number of swaps" | "the number of resumptions") => "lfb-swap",
+            _ => "patch-table",
+        };
+        let edge = if unit == "the merger" { merge(clock) } else { pe(clock) };
+        let at = At { unit: unit.to_owned(), block, edge };
+        self.told.tell(at.step("does what the model of its clocks does", vec![compared(signal, seen, expected)]));
     }
 
     /// The reset ends after that edge of the display's clock.
@@ -193,26 +243,19 @@ fn draws(primitives: &mut [Primitive], word: u64) -> Option<usize> {
 
 impl Drop for Following {
     fn drop(&mut self) {
-        let mut steps = self.told.take();
-        // Stable: what happens at the same time keeps its sequence.
-        steps.sort_by_key(|step| step.time);
+        let steps = self.told.take();
         self.follower.put(Way { primitives: std::mem::take(&mut self.primitives), steps });
     }
 }
 
-/// A value in the hardware beside the model's.
-fn compared(what: &'static str, hardware: impl ToString, golden: impl ToString) -> Compared {
-    Compared { what, hardware: hardware.to_string(), golden: Some(golden.to_string()) }
+/// An edge of the processing elements' clock, counted from 1 at power-on.
+fn pe(number: u64) -> Edge {
+    Edge { clock: PE.name, number, time: number * PE.period.picoseconds() }
 }
 
-/// A word of a pixel as it is shown.
-fn hex(word: u64) -> String {
-    format!("{word:012x}")
-}
-
-/// `yes` or `no`.
-fn yes(holds: bool) -> &'static str {
-    if holds { "yes" } else { "no" }
+/// An edge of the merger's clock.
+fn merge(number: u64) -> Edge {
+    Edge { clock: MERGE.name, number, time: number * MERGE.period.picoseconds() }
 }
 
 /// The settled value of a net.

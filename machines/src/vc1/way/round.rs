@@ -7,8 +7,8 @@ use tilewright_rtl::merger::STAGES;
 
 use super::drawing::Drawing;
 use super::image::EMPTY;
-use super::told::{At, Edge, Told};
-use super::{Followed, Sim, compared, hex, net, word};
+use super::{Followed, Sim, net, word};
+use crate::told::{At, Edge, Told, compared, hex};
 use crate::way::Step;
 
 /// Merger clocks within which a local frame buffer's scan follows a swap.
@@ -183,10 +183,17 @@ impl Round {
             let at = At { unit: "image merger".to_owned(), block: "image-merger", edge };
             self.add(at.step(format!("passes the pixel on to merging unit {number}"), values).on(left));
         }
-        if self.inputs[1] != sent {
-            let values = vec![compared("word", hex(self.inputs[1]), hex(sent))];
+        let sample = format!("u_merger.samples_{number}");
+        let came = net(sim, &sample);
+        if came != sent {
+            let values = vec![compared("word", hex(came), hex(sent))];
             let at = At { unit: format!("wire to merging unit {number}"), block: "vc1", edge };
-            self.add(at.step("brings the pixel", values).on(right));
+            self.add(at.step("brings the pixel", values).on(sample));
+        }
+        if self.inputs[1] != came {
+            let values = vec![compared("word", hex(self.inputs[1]), hex(came))];
+            let at = At { unit: "image merger".to_owned(), block: "image-merger", edge };
+            self.add(at.step(format!("passes the sample on to merging unit {number}"), values).on(right));
         }
     }
 

@@ -4,8 +4,8 @@ use tilewright_rtl::clocks::CRT;
 use tilewright_rtl::gfb::{BLANK_COLUMNS, BLANK_LINES};
 use tilewright_rtl::vc1::Vc1;
 
-use super::told::{At, Edge, Told};
-use super::{Followed, Sim, compared, net, word};
+use super::{Followed, Sim, net, word};
+use crate::told::{At, Edge, Told, compared};
 
 /// The model of the read-out: a counter of clocks.
 pub(super) struct Showing {

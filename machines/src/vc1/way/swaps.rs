@@ -3,8 +3,8 @@
 use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::Vc1;
 
-use super::told::{At, Edge, Told};
-use super::{Sim, compared, net, yes};
+use super::{Sim, net, pe};
+use crate::told::{At, Told, compared, yes};
 
 /// Clocks within which the line rises once all have drawn: the bus notes that its queues are empty.
 const RISES: u32 = 8;
@@ -65,7 +65,7 @@ impl Swaps {
             let [said, came] = [0, 1].map(|i| net(sim, &local.nets[i]));
             if said != came {
                 told.check("swap wire", number, false, || {
-                    let at = At { unit: format!("swap wire of PE {number}"), block: "vc1", edge: Edge::pe(clock) };
+                    let at = At { unit: format!("swap wire of PE {number}"), block: "vc1", edge: pe(clock) };
                     at.step("swaps the buffers", vec![compared("swap", came, said)]).on(&local.nets[1])
                 });
             }
@@ -82,7 +82,7 @@ impl Swaps {
 
     /// The line rises, or should have.
     fn line(&self, sim: &mut Sim, clock: u64, [line, expected]: [bool; 2], told: &mut Told) {
-        let edge = Edge::pe(clock);
+        let edge = pe(clock);
         for (number, local) in (0..).zip(&self.processors) {
             let ready = net(sim, &local.nets[2]) == 1;
             if ready != line && line != expected {
@@ -109,7 +109,7 @@ impl Swaps {
             return false;
         }
         let local = &mut self.processors[number as usize];
-        let at = || At { unit: format!("swap control of PE {number}"), block: "lfb-swap", edge: Edge::pe(clock) };
+        let at = || At { unit: format!("swap control of PE {number}"), block: "lfb-swap", edge: pe(clock) };
         local.halted = matches!(after, SwapState::Due | SwapState::Overflow);
         match (before, after) {
             (SwapState::Due | SwapState::Overflow, SwapState::Clear) => {

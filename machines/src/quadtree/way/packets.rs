@@ -1,0 +1,185 @@
+//! The packets on their way to the video processor's set-up, and the windows that it makes.
+
+use std::rc::Rc;
+
+use tilewright_scenes::{Plane, Polygon};
+
+use super::nets::Windows;
+use super::{Followed, Sim, net, nothing};
+use crate::told::{At, Edge, Told, compared};
+
+/// A place where packets pass one after another.
+struct Place {
+    unit: String,
+    block: &'static str,
+    does: &'static str,
+    valid: String,
+    ready: String,
+    fields: Vec<String>,
+    /// The number of packets that have passed.
+    passed: usize,
+}
+
+/// The model of the packets' way.
+pub(super) struct Packets {
+    followed: Followed,
+    polygons: Rc<[Polygon]>,
+    places: [Place; 2],
+    roots: Windows,
+    made: usize,
+}
+
+impl Packets {
+    pub fn new(followed: &Followed, polygons: Rc<[Polygon]>) -> Packets {
+        let processor = format!("u_processor[{}]", followed.processor);
+        let room = followed.format.edges();
+        let place = |unit: String, block, does, port: String| {
+            let lanes =
+                |name: &str, count: u32| (0..count).map(|lane| format!("{port}_{name}[{lane}]")).collect::<Vec<_>>();
+            let mut fields = vec![format!("{port}_last_edge")];
+            ["a", "b", "c"].iter().for_each(|it| fields.extend(lanes(&format!("edges_{it}"), room)));
+            ["x", "y", "origin"].iter().for_each(|it| fields.extend(lanes(&format!("planes_{it}"), 4)));
+            fields.extend(["left", "top", "right", "bottom"].map(|it| format!("{port}_bounds_{it}")));
+            Place {
+                unit,
+                block,
+                does,
+                valid: format!("{port}_valid"),
+                ready: format!("{port}_ready"),
+                fields,
+                passed: 0,
+            }
+        };
+        let number = followed.processor;
+        Packets {
+            followed: followed.clone(),
+            polygons,
+            places: [
+                place(
+                    "broadcast".to_owned(),
+                    "quadtree-generator",
+                    "brings the packet to the video processor",
+                    format!("{processor}.packets"),
+                ),
+                place(
+                    format!("queue of video processor {number}"),
+                    "fifo",
+                    "passes the packet to the set-up",
+                    format!("{processor}.u_set_up.packets"),
+                ),
+            ],
+            roots: Windows::of(&format!("{processor}.u_set_up.roots"), &followed.format),
+            made: 0,
+        }
+    }
+
+    /// Whether the packet's bounds contain the pixel, so that its way is told.
+    fn is_told(&self, packet: &Polygon) -> bool {
+        let matrix = self.followed.format.matrix();
+        let Followed { x, y, column, row, .. } = self.followed;
+        packet.bounds.contains(x * matrix.columns() + column, y * matrix.rows() + row)
+    }
+
+    /// Looks before an edge. Returns whether a packet passes.
+    pub fn look(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) -> bool {
+        let mut any = false;
+        for number in 0..self.places.len() {
+            let place = &self.places[number];
+            if net(sim, &place.valid) == 1 && net(sim, &place.ready) == 1 {
+                any = true;
+                self.passes(sim, edge, number, told);
+            }
+        }
+        if self.roots.passes(sim) {
+            self.makes(sim, edge, told);
+        }
+        any
+    }
+
+    /// A packet passes a place.
+    fn passes(&mut self, sim: &mut Sim, edge: Edge, number: usize, told: &mut Told) {
+        let place = &mut self.places[number];
+        let packet = self.polygons.get(place.passed);
+        place.passed += 1;
+        let fields: Vec<_> = place.fields.iter().map(|name| sim.peek(name).expect("ports have those fields")).collect();
+        let golden = packet.map(|packet| expected(packet, self.followed.format.edges() as usize));
+        let wrong = match &golden {
+            None => Some(("packet", "another one".to_owned(), "nothing".to_owned())),
+            Some(golden) => fields.iter().zip(golden).zip(&place.fields).find_map(|((field, golden), name)| {
+                let width = field.width();
+                let golden = *golden as u64 & if width < 64 { (1 << width) - 1 } else { u64::MAX };
+                let value = field.to_u64().unwrap_or_default();
+                let name = name.rsplit('.').next().unwrap_or(name);
+                (value != golden).then(|| ("field", format!("{name} {value:x}"), format!("{name} {golden:x}")))
+            }),
+        };
+        let place = &self.places[number];
+        let is_told = number == 0 && packet.is_some_and(|it| self.is_told(it));
+        if is_told || wrong.is_some() {
+            let primitive = packet.map(|_| place.passed - 1);
+            let check = if number == 0 { "broadcast" } else { "packets" };
+            told.check(check, 0, is_told, || {
+                let number = (place.passed - 1).to_string();
+                let values = match wrong {
+                    Some((what, value, golden)) => vec![compared(what, value, golden)],
+                    None => vec![compared("packet", &number, &number)],
+                };
+                let at = At { unit: place.unit.clone(), block: place.block, edge };
+                at.step(place.does, values).of(primitive).on(&place.valid)
+            });
+        }
+    }
+
+    /// The set-up puts out the window of all samples.
+    fn makes(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+        let number = self.made;
+        self.made += 1;
+        let at = || At { unit: "set-up".to_owned(), block: "quadtree-set-up", edge };
+        let Some(packet) = self.polygons.get(number) else {
+            return told.check("root", 0, false, || {
+                at().step("makes the window of all samples", vec![compared("window", "another one", "nothing")])
+            });
+        };
+        let golden = self.followed.fields(packet, self.followed.square(self.followed.format.levels()));
+        let values = self.roots.compare(sim, &golden);
+        let is_told = self.is_told(packet);
+        if is_told || values.iter().any(|it| it.differs()) {
+            told.check("root", 0, is_told, || {
+                at().step("makes the window of all samples", values).of(Some(number)).on(&self.roots.valid)
+            });
+        }
+    }
+
+    /// Drawing ends. Returns whether all packets have passed.
+    pub fn ends(&self, edge: Edge, told: &mut Told) -> bool {
+        let all = self.polygons.len();
+        for place in self.places.iter().filter(|it| it.passed < all) {
+            let step = nothing(place.unit.clone(), place.block, edge, place.does.to_owned(), "a packet");
+            told.tell(step.of(Some(place.passed)).on(&place.valid));
+            return false;
+        }
+        if self.made < all {
+            let does = "makes the window of all samples".to_owned();
+            let step = nothing("set-up".to_owned(), "quadtree-set-up", edge, does, "a window");
+            told.tell(step.of(Some(self.made)).on(&self.roots.valid));
+        }
+        self.made >= all
+    }
+}
+
+/// The fields of a packet as a port has them.
+fn expected(packet: &Polygon, room: usize) -> Vec<i64> {
+    let mut fields = vec![packet.edges.len() as i64 - 1];
+    let rows: [fn(&tilewright_scenes::Edge) -> i32; 3] = [|it| it.a, |it| it.b, |it| it.c];
+    for of in rows {
+        fields.extend(packet.edges.iter().map(|edge| i64::from(of(edge))).chain(std::iter::repeat(0)).take(room));
+    }
+    let [red, green, blue] = &packet.rgb;
+    let planes: [&Plane; 4] = [&packet.z, red, green, blue];
+    fields.extend(planes.map(|plane| plane.x as i64));
+    fields.extend(planes.map(|plane| plane.y as i64));
+    fields.extend(planes.map(|plane| plane.origin as i64));
+    let bounds = packet.bounds;
+    fields.extend([bounds.left, bounds.top, bounds.right, bounds.bottom].map(i64::from));
+    fields
+}
