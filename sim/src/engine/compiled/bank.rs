@@ -9,7 +9,7 @@ use tilewright_hdl::ir::Contents;
 use super::emitter::MemoryAt;
 use super::layout::Words;
 use super::store::Store;
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use crate::engine::program::{Cell, Kind, Memory, Program, ValueId};
 
 /// Memories that stand side by side.
@@ -29,7 +29,7 @@ struct Ports {
 }
 
 /// The places of a program's memories, and their banks, full of zeros.
-pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<Bank>) {
+pub(super) fn banks(program: &Program, strips: &StripSizes) -> (Vec<MemoryAt>, Vec<Bank>) {
     let mut groups: BTreeMap<Ports, Vec<usize>> = BTreeMap::new();
     for (index, (memory, reads)) in program.memories.iter().zip(reads(program)).enumerate() {
         let writes: Vec<_> = memory.writes.iter().map(|port| (port.clock, port.enable, port.address)).collect();
@@ -129,7 +129,7 @@ mod tests {
         let design = elaborate(&Memories).unwrap();
         let banked = |passes: &Passes| {
             let program = compile(&design, passes);
-            let (memories, banks) = banks(&program, &Strips::of(&program));
+            let (memories, banks) = banks(&program, &StripSizes::of(&program));
             (memories.iter().map(|at| (at.bank, at.first)).collect::<Vec<_>>(), banks.len())
         };
         let (places, count) = banked(&Passes::default());

@@ -8,7 +8,7 @@ use tilewright_hdl::Bits;
 
 use super::function::{Function, Sink, happening};
 use super::plan::{Kernel, Plan, Switch};
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use super::versions::Versioned;
 use crate::engine::Passes;
 use crate::engine::program::{Cell, Circuit, Kind, ValueId};
@@ -26,7 +26,7 @@ const MOST: usize = 8000;
 const MOST_BESIDE_VERSIONS: usize = 3000;
 
 /// Gives kernels branches if that pays.
-pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips, passes: &Passes) {
+pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &StripSizes, passes: &Passes) {
     let order = function.needed();
     let mut stages = std::mem::take(&mut plan.stages);
     for (&lanes, kernel) in stages.iter_mut().flat_map(|stage| &mut stage.kernels) {

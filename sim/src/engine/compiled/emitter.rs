@@ -5,7 +5,7 @@ use super::layout::{Layout, Place, Words};
 use super::plan::Plan;
 use super::scalar::{Scalar, Scalars};
 use super::sequence::Step;
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use super::versions::TableAt;
 use crate::engine::program::{Kind, Lowered, ValueId};
 use crate::engine::strips::{Builder, Comparison, Loop, Type, Value};
@@ -105,7 +105,7 @@ pub(super) struct Emitter<'a, 'b> {
     pub(super) plan: &'a Plan,
     pub(super) addresses: &'a Addresses,
     pub(super) memories: &'a [MemoryAt],
-    pub(super) strips: &'a Strips,
+    pub(super) strips: &'a StripSizes,
     pub(super) builder: &'b mut Builder,
     pub(super) state: Value,
     /// The distance of the present unit's state from that of the first one.
@@ -128,7 +128,7 @@ impl<'a, 'b> Emitter<'a, 'b> {
         plan: &'a Plan,
         addresses: &'a Addresses,
         memories: &'a [MemoryAt],
-        strips: &'a Strips,
+        strips: &'a StripSizes,
         builder: &'b mut Builder,
         state: Value,
     ) -> Self {

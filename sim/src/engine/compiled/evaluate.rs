@@ -14,7 +14,7 @@ use super::function::{Function, Sink};
 use super::layout::Place;
 use super::prepare::{Prepared, Times};
 use super::store::Cells;
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use crate::engine::cranelift::Code;
 use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 use crate::engine::semantics::{self, Number};
@@ -25,7 +25,7 @@ pub(super) struct Evaluated {
     /// For each cell its place, if it is stored.
     places: Vec<Option<Place>>,
     memories: Vec<MemoryAt>,
-    strips: Strips,
+    strips: StripSizes,
     /// The place of a number that is 1 while assertions are not checked, if that ever happens.
     unchecked: Option<Place>,
 }
@@ -75,7 +75,7 @@ impl Evaluated {
         function: &Function,
         places: &[Option<Place>],
         memories: &[MemoryAt],
-        strips: &Strips,
+        strips: &StripSizes,
         unchecked: Option<Place>,
     ) -> Evaluated {
         let (function, places) = (function.clone(), places.to_vec());

@@ -10,7 +10,7 @@ use super::layout::Layout;
 use super::passes::{self, Seen};
 use super::plan::{Kernel, Plan};
 use super::sequence::Step;
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use super::units::{From, Part, Split, Units, split};
 use super::{bank, held_inputs};
 use crate::engine::explain::{Names, Pass, Text};
@@ -40,7 +40,7 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
     let (special, became) = Maker::new(program).hold(&held).edge(&[clock]);
     all.push((Pass::Hold, text(program, &special, &Names::of(program).renamed(&became))));
 
-    let strips = Strips::of(program);
+    let strips = StripSizes::of(program);
     let (memories, _banks) = bank::banks(program, &strips);
     let mut layout = Layout::new(strips.clone());
     let (places, _apart) = super::units::places(program, &mut layout);
@@ -203,7 +203,7 @@ struct Emitted<'a> {
     plan: &'a Plan,
     addresses: &'a Addresses,
     memories: &'a [MemoryAt],
-    strips: &'a Strips,
+    strips: &'a StripSizes,
 }
 
 impl Emitted<'_> {

@@ -6,7 +6,7 @@
 
 use tilewright_hdl::limbs_for;
 
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 
 /// The least number of bytes before and after an array of lanes that code may access: the largest strip of the widest
 /// element.
@@ -56,7 +56,7 @@ pub(super) fn element(width: u32) -> u32 {
 }
 
 /// Bits of the element in which a lane of such an array is stored.
-pub(super) fn storage(strips: &Strips, lanes: u32, width: u32) -> u32 {
+pub(super) fn storage(strips: &StripSizes, lanes: u32, width: u32) -> u32 {
     match lanes {
         1 => limbs_for(width) as u32 * 64,
         _ => element(width).max(128 / strips.strip(lanes)),
@@ -68,12 +68,12 @@ pub(super) fn storage(strips: &Strips, lanes: u32, width: u32) -> u32 {
 pub(super) struct Layout {
     /// How many bytes are taken.
     pub size: usize,
-    pub strips: Strips,
+    pub strips: StripSizes,
 }
 
 impl Layout {
     /// Nothing placed yet.
-    pub fn new(strips: Strips) -> Layout {
+    pub fn new(strips: StripSizes) -> Layout {
         Layout { size: 0, strips }
     }
 
@@ -125,7 +125,7 @@ impl Words {
         lanes: u32,
         depth: usize,
         together: bool,
-        strips: &Strips,
+        strips: &StripSizes,
     ) -> Vec<(usize, Words)> {
         let word = |width: u32| (if together { storage(strips, lanes, width) } else { element(width) }) as usize / 8;
         let padded = lanes.next_multiple_of(strips.strip(lanes)) as usize;
@@ -170,7 +170,7 @@ mod tests {
 
     #[test]
     fn words_of_one_bank_are_aligned_and_apart() {
-        let strips = Strips::default();
+        let strips = StripSizes::default();
         for widths in [vec![8], vec![24, 24], vec![1, 100, 13], vec![13, 48, 8, 30], vec![65, 1, 1]] {
             for (lanes, together) in [(1, false), (5, false), (5, true)] {
                 let together = together && widths.iter().all(|&width| width <= 64);

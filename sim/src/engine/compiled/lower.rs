@@ -18,14 +18,14 @@ use tilewright_hdl::ir::Binary;
 
 use super::emitter::MemoryAt;
 use super::function::{Became, Function, Sink};
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use crate::engine::Passes;
 use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;
 
 /// The parameters of lowering.
 struct Target<'a> {
-    strips: &'a Strips,
+    strips: &'a StripSizes,
     memories: &'a [MemoryAt],
     passes: &'a Passes,
     /// Memories that the function writes to.
@@ -38,7 +38,7 @@ struct Target<'a> {
 /// - the padding lanes of the last strip take no part in reductions and write nothing.
 pub(super) fn lower(
     function: &Function,
-    strips: &Strips,
+    strips: &StripSizes,
     memories: &[MemoryAt],
     passes: &Passes,
 ) -> (Function, Became) {

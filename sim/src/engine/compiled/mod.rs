@@ -31,7 +31,7 @@ mod sequence;
 mod start;
 mod store;
 mod strip;
-mod strips;
+mod strip_sizes;
 mod together;
 mod units;
 mod until;
@@ -59,7 +59,7 @@ use layout::{Layout, Place};
 use look::Looks;
 use rows::Rows;
 use store::Store;
-use strips::Strips;
+use strip_sizes::StripSizes;
 use units::Apart;
 use until::Stopping;
 use versions::Versions;
@@ -175,7 +175,7 @@ impl Compiled {
         let Packed { program, places: bits } = pack::pack(program);
         demands::check(&program);
         let program = Arc::new(program);
-        let mut layout = Layout::new(Strips::of(&program));
+        let mut layout = Layout::new(StripSizes::of(&program));
         let (places, apart) = units::places(&program, &mut layout);
         // Generated code skips units.
         let apart = apart.filter(|_| !program.passes.evaluated);

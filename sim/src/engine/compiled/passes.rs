@@ -4,7 +4,7 @@ use super::emitter::MemoryAt;
 use super::function::{Became, Function};
 use super::plan::Plan;
 use super::sequence::{self, Step};
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use super::{branch, demands, lower, quiet};
 use crate::engine::Passes;
 
@@ -28,7 +28,7 @@ pub(super) enum Seen<'a> {
 /// Plans a function.
 pub(super) fn plan(
     function: &Function,
-    strips: &Strips,
+    strips: &StripSizes,
     memories: &[MemoryAt],
     passes: &Passes,
     look: &mut dyn FnMut(Seen),

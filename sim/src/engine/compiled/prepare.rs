@@ -7,7 +7,7 @@ use super::layout::Place;
 use super::passes::{self, Planned};
 use super::plan::Plan;
 use super::sequence::Step;
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use super::units::Guard;
 use super::versions::{TableAt, Versions};
 use crate::engine::Passes;
@@ -82,7 +82,7 @@ impl Prepared {
     fn emitter<'a, 'b>(
         &'a self,
         memories: &'a [MemoryAt],
-        strips: &'a Strips,
+        strips: &'a StripSizes,
         builder: &'b mut Builder,
         state: Value,
     ) -> Emitter<'a, 'b> {

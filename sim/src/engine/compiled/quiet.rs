@@ -19,7 +19,7 @@ use tilewright_hdl::ir::{Binary, Unary};
 
 use super::function::{Function, Sink};
 use super::plan::{Kernel, Plan, Switch};
-use super::strips::Strips;
+use super::strip_sizes::StripSizes;
 use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 
 /// The least number of strip operations of a loop that is examined: for fewer, a branch saves little.
@@ -28,7 +28,7 @@ const LEAST: usize = 256;
 const WORTH: usize = 16;
 
 /// Splits loops, and puts branches around parts that may have nothing to do.
-pub(super) fn quiet(function: &mut Function, plan: &mut Plan, strips: &Strips) {
+pub(super) fn quiet(function: &mut Function, plan: &mut Plan, strips: &StripSizes) {
     let mut stages = std::mem::take(&mut plan.stages);
     for stage in &mut stages {
         for (&lanes, kernel) in &mut stage.kernels {

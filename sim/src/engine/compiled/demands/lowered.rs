@@ -9,7 +9,7 @@ use super::shapes::{MemoryShape, Shapes};
 use crate::engine::compiled::emitter::MemoryAt;
 use crate::engine::compiled::function::{Function, Sink};
 use crate::engine::compiled::layout::storage;
-use crate::engine::compiled::strips::Strips;
+use crate::engine::compiled::strip_sizes::StripSizes;
 use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 
 /// Checks a function before code generation, for these strips and memories.
@@ -17,7 +17,7 @@ use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 /// # Panics
 ///
 /// Lowering has made a mistake.
-pub(in crate::engine::compiled) fn check_lowered(function: &Function, strips: &Strips, memories: &[MemoryAt]) {
+pub(in crate::engine::compiled) fn check_lowered(function: &Function, strips: &StripSizes, memories: &[MemoryAt]) {
     let shape = |at: &MemoryAt| MemoryShape { lanes: at.lanes, depth: at.depth, width: at.width };
     let shapes: Vec<MemoryShape> = memories.iter().map(shape).collect();
     let shapes = Shapes { circuit: function.circuit(), memories: &shapes };
@@ -38,7 +38,7 @@ pub(in crate::engine::compiled) fn check_lowered(function: &Function, strips: &S
 
 struct Demands<'a> {
     function: &'a Function,
-    strips: &'a Strips,
+    strips: &'a StripSizes,
     memories: &'a [MemoryAt],
     shapes: Shapes<'a>,
     /// For each memory.

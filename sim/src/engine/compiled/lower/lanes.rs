@@ -6,7 +6,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Reduction, Relation};
 
 use super::super::layout::storage;
-use super::super::strips::Strips;
+use super::super::strip_sizes::StripSizes;
 use super::{Target, flags, reduce, table};
 use crate::engine::program::{Axis, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;
@@ -44,7 +44,7 @@ const COPIED: usize = 4;
 /// Lanes stacked along an axis that is not the last.
 pub(super) fn stack(
     rewriter: &mut Rewriter,
-    strips: &Strips,
+    strips: &StripSizes,
     parts: &[ValueId],
     inner: u32,
     lanes: u32,
@@ -136,7 +136,7 @@ pub(super) fn pick(
 /// Lanes side by side in one value.
 pub(super) fn pack(
     rewriter: &mut Rewriter,
-    strips: &Strips,
+    strips: &StripSizes,
     of: ValueId,
     axis: Axis,
     lanes: u32,
@@ -162,7 +162,7 @@ pub(super) fn pack(
 /// Parts of a value in lanes.
 pub(super) fn unpack(
     rewriter: &mut Rewriter,
-    strips: &Strips,
+    strips: &StripSizes,
     of: ValueId,
     axis: Axis,
     lanes: u32,
@@ -186,7 +186,7 @@ pub(super) fn unpack(
 
 /// Whether all lanes along an axis, with this many bits each, have the layout of the limbs of the value that they are
 /// parts of.
-fn are_limbs(strips: &Strips, axis: Axis, width: u32) -> bool {
+fn are_limbs(strips: &StripSizes, axis: Axis, width: u32) -> bool {
     let Axis { count, inner } = axis;
     inner == 1 && count > 1 && storage(strips, count, width) == width && (count * width).is_multiple_of(64)
 }

@@ -17,7 +17,7 @@ use crate::engine::compiled::evaluate::Evaluated;
 use crate::engine::compiled::function::{Function, Maker, Sink};
 use crate::engine::compiled::layout::{Layout, Place};
 use crate::engine::compiled::store::{Cells, Store};
-use crate::engine::compiled::strips::Strips;
+use crate::engine::compiled::strip_sizes::StripSizes;
 use crate::engine::compiled::units;
 use crate::engine::program::{Cell, Kind, Lowered, ValueId, compile};
 use crate::engine::rewrite::Rewriter;
@@ -68,7 +68,7 @@ impl Everything {
 /// A lowered edge with its complete environment.
 struct Lowering {
     function: Function,
-    strips: Strips,
+    strips: StripSizes,
     memories: Vec<MemoryAt>,
     banks: Vec<Bank>,
     places: Vec<Option<Place>>,
@@ -78,7 +78,7 @@ struct Lowering {
 impl Lowering {
     fn new(passes: &Passes) -> Lowering {
         let program = compile(&elaborate(&Everything).unwrap(), passes);
-        let mut layout = Layout::new(Strips::of(&program));
+        let mut layout = Layout::new(StripSizes::of(&program));
         let (places, _) = units::places(&program, &mut layout);
         let (memories, banks) = bank::banks(&program, &layout.strips);
         let function = Maker::new(&program).edge(&[0]).0;

@@ -3,7 +3,7 @@
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Reduction, Relation};
 
-use super::super::strips::Strips;
+use super::super::strip_sizes::StripSizes;
 use super::{flags, lanes};
 use crate::engine::program::{Axis, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;
@@ -11,7 +11,7 @@ use crate::engine::rewrite::Rewriter;
 /// Lowers a reduction to one along the last axis, to which the padding lanes of the last strip add nothing.
 pub(super) fn reduce(
     rewriter: &mut Rewriter,
-    strips: &Strips,
+    strips: &StripSizes,
     by: Reduction,
     of: ValueId,
     axis: Axis,

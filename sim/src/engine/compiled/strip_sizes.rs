@@ -13,7 +13,7 @@ use crate::engine::program::{Axis, Cell, Kind, Program};
 /// For each lane count: the strip of a kernel, 4, 8 or 16 lanes, and the distance of the furthest neighbour that it
 /// reads.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Strips(BTreeMap<u32, Strip>);
+pub(super) struct StripSizes(BTreeMap<u32, Strip>);
 
 #[derive(Debug, Clone, Copy)]
 struct Strip {
@@ -22,15 +22,15 @@ struct Strip {
     reach: u32,
 }
 
-impl Strips {
+impl StripSizes {
     /// Strips for the values of a program.
-    pub fn of(program: &Program) -> Strips {
+    pub fn of(program: &Program) -> StripSizes {
         let mut arrays: BTreeMap<u32, Array> = BTreeMap::new();
         for (_, cell) in program.circuit.cells().filter(|(_, cell)| cell.lanes > 1) {
             arrays.entry(cell.lanes).or_default().add(cell);
         }
         let strip = |(lanes, array): (u32, Array)| (lanes, Strip { size: array.strip(lanes), reach: array.reach });
-        Strips(arrays.into_iter().map(strip).collect())
+        StripSizes(arrays.into_iter().map(strip).collect())
     }
 
     /// The strip of arrays with this number of lanes.
