@@ -3,6 +3,7 @@
 mod bench;
 mod bitstream;
 mod block;
+mod command_file;
 mod compare;
 mod completions;
 mod constraints;
@@ -33,6 +34,7 @@ mod trace;
 mod verdict;
 mod verilog;
 mod view;
+mod viewer;
 mod watch;
 mod wave;
 mod why;

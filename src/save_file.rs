@@ -1,14 +1,10 @@
 //! GTKWave's save file: the signals that it shows when it opens a waveform, and their formats.
 
-use crate::shell::output::quoted;
-use crate::shell::terminal;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::fs::File;
-use std::io::Read;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
-use vcd::{Header, Parser, Scope, ScopeItem, VarType};
+use std::path::Path;
+use vcd::{Header, Parser, Scope, ScopeItem, Var, VarType};
 
 /// GTKWave's codes of number formats.
 const BINARY: &str = "@28";
@@ -41,10 +37,26 @@ fn print(header: &Header, name: &str, times: Range<u64>, all: bool) -> String {
     for item in &header.items {
         if let ScopeItem::Scope(top) = item {
             let _ = writeln!(text, "[treeopen] {}.", top.identifier);
-            show(&mut text, top, &top.identifier, all);
         }
     }
+    for (path, variable) in shown(header, all) {
+        let format = if variable.size == 1 { BINARY } else { HEXADECIMAL };
+        let index = variable.index.map_or_else(String::new, |index| index.to_string());
+        let _ = writeln!(text, "{format}\n{path}.{}{index}", variable.reference);
+    }
     text
+}
+
+/// The variables that a viewer shows at first, each with the path of its scope: those of the top module, or all. Of a code there is
+/// its name alone, and not the number.
+pub fn shown(header: &Header, all: bool) -> Vec<(String, &Var)> {
+    let mut variables = Vec::new();
+    for item in &header.items {
+        if let ScopeItem::Scope(top) = item {
+            add(&mut variables, top, &top.identifier, all);
+        }
+    }
+    variables
 }
 
 /// The zoom at which the whole duration, in picoseconds, fits into [`WIDTH`]: [`STRETCH`] pixels show 2^zoom picoseconds.
@@ -52,52 +64,18 @@ fn zoom(duration: u64) -> f64 {
     (duration.max(1) as f64 * STRETCH / WIDTH).log2().max(0.0)
 }
 
-fn show(text: &mut String, scope: &Scope, path: &str, all: bool) {
+fn add<'a>(shown: &mut Vec<(String, &'a Var)>, scope: &'a Scope, path: &str, all: bool) {
     let variables = || scope.items.iter().filter_map(|it| if let ScopeItem::Var(it) = it { Some(it) } else { None });
     let names =
         variables().filter(|it| it.var_type == VarType::String).filter_map(|it| it.reference.strip_suffix("_state"));
     let named: BTreeSet<&str> = names.collect();
-    for variable in variables().filter(|it| !named.contains(it.reference.as_str())) {
-        let format = if variable.size == 1 { BINARY } else { HEXADECIMAL };
-        let index = variable.index.map_or_else(String::new, |index| index.to_string());
-        let _ = writeln!(text, "{format}\n{path}.{}{index}", variable.reference);
-    }
+    let chosen = variables().filter(|it| !named.contains(it.reference.as_str()));
+    shown.extend(chosen.map(|it| (path.to_owned(), it)));
     for item in scope.items.iter().filter(|_| all) {
         if let ScopeItem::Scope(inner) = item {
-            show(text, inner, &format!("{path}.{}", inner.identifier), all);
+            add(shown, inner, &format!("{path}.{}", inner.identifier), all);
         }
     }
-}
-
-/// The name of a waveform, which must not be that of the save file beside it.
-pub fn waveform(path: PathBuf) -> Result<PathBuf, &'static str> {
-    let is_save_file = path.extension().is_some_and(|it| it == "gtkw");
-    if is_save_file {
-        Err("the .gtkw file is written beside the waveform: name the waveform itself, such as wave.vcd")
-    } else {
-        Ok(path)
-    }
-}
-
-/// Whether a save file is missing or was written by an earlier run. If neither, warns that it is kept.
-pub fn is_ours(path: &Path) -> bool {
-    let mut begin = String::new();
-    let read = |file: File| file.take(FIRST_LINE.len() as u64).read_to_string(&mut begin);
-    let is_read = path.is_file() && File::open(path).and_then(read).is_ok();
-    let ours = !path.exists() || is_read && begin == FIRST_LINE;
-    if !ours {
-        terminal::warn(&format!(
-            "{} was not written by tilewright and is kept: remove it to have it written",
-            path.display()
-        ));
-    }
-    ours
-}
-
-/// The commands that open a waveform.
-pub fn viewers(waveform: &Path, save: &Path) -> Vec<String> {
-    let (waveform, save) = (quoted(waveform), quoted(save));
-    vec![format!("gtkwave {waveform} {save}"), format!("surfer {waveform}")]
 }
 
 #[cfg(test)]

@@ -5,11 +5,11 @@ use crate::engine::EngineArguments;
 use crate::first_difference;
 use crate::names;
 use crate::player::{check_length, play};
-use crate::save_file::{self, is_ours, viewers, waveform};
 use crate::shell::output::{Output, Waveform};
-use crate::shell::place::{beside, check_distinct, shown};
+use crate::shell::place::{check_distinct, shown};
 use crate::shell::{Exit, Failure, terminal};
 use crate::trace::TraceOptions;
+use crate::viewer::{self, Viewer, waveform};
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
@@ -34,8 +34,8 @@ Examples:
   tilewright wave lifo -o lifo.vcd --memory 'words[0..4]'
   tilewright wave merging-unit -o mu.svg
 
-Beside the waveform file a .gtkw file is written, unless -o names a pipe or a device. With it GTKWave opens the waveform with the signals selected.
-A .gtkw file that Tilewright did not write is kept. If -o ends in .fst, the file has the same waves in GTKWave's packed format.
+Beside the waveform file a .gtkw file and a .sucl file are written, unless -o names a pipe or a device. With them GTKWave and Surfer open the waveform with the signals selected.
+A file of these names that Tilewright did not write is kept. If -o ends in .fst, the file has the same waves in GTKWave's packed format.
 If -o ends in .svg, it is a picture of the ports' waves, light or dark like the reader's screen.
 
 --to ends the run at that time, except that text always shows the whole scenario. Without --radix, values in text and in pictures are hexadecimal,
@@ -116,8 +116,9 @@ impl Wave {
         self.check()?;
         let (picture, vcd) =
             if self.is_picture() { (self.output.as_ref(), None) } else { (None, self.output.as_ref()) };
-        let save = vcd.and_then(|path| beside(path, "gtkw"));
-        check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
+        let beside = vcd.map_or_else(Vec::new, |path| viewer::files(path));
+        let outputs = self.output.iter().chain(beside.iter().map(|(_, path)| path));
+        check_distinct(&Vec::from_iter(outputs.map(PathBuf::as_path)), &[])?;
         let (entry, values) = block.find()?;
         let mut sim = simulation(&design(entry, &values)?, self.engine.kind())?;
         let scenario = entry.scenario(&values)?;
@@ -129,7 +130,7 @@ impl Wave {
         let drawn = drawn.map(|wave| wave.times(self.filters.times()));
         let picture = picture.map(|path| Output::at(path)).transpose()?;
         let waveform = vcd.map(|path| Waveform::at(path)).transpose()?;
-        let ours = save.as_deref().filter(|path| is_ours(path)).map(Output::at).transpose()?;
+        let ours = beside.iter().map(|(viewer, path)| viewer.prepare(path)).collect::<Result<Vec<_>, _>>()?;
         let header = waveform.as_ref().map(|waveform| self.filters.attach(waveform, &mut sim)).transpose()?;
         let end = if self.is_text() { u64::MAX } else { self.filters.times().end };
         let played = play(&mut sim, &scenario, end);
@@ -140,9 +141,10 @@ impl Wave {
             waveform.tell_written();
             self.filters.warn_if_empty(sim.time());
             files.extend(self.output.clone());
-            if let Some(ours) = ours {
-                ended = Failure::both(ended, ours.write(self.save_file(header, sim.time()).as_bytes()));
-                files.extend(save.clone());
+            for ((viewer, path), output) in beside.iter().zip(ours) {
+                let Some(output) = output else { continue };
+                ended = Failure::both(ended, output.write(self.shown_by(*viewer, header, sim.time()).as_bytes()));
+                files.push(path.clone());
             }
         }
         if let (Some(picture), Some(drawn), true) = (picture, drawn, Failure::leaves_a_waveform(&ended)) {
@@ -154,7 +156,8 @@ impl Wave {
         if let Some(text) = text {
             terminal::print(&text.to_string())?;
         }
-        let viewers = vcd.zip(save).map_or_else(Vec::new, |(path, save)| viewers(path, &save));
+        let opened = |waveform: &Path| beside.iter().map(|(viewer, file)| viewer.command(waveform, file)).collect();
+        let viewers: Vec<String> = vcd.map_or_else(Vec::new, |path| opened(path));
         if self.json {
             terminal::print_json(&report(entry, &values, &scenario, &sim, &files, viewers))?;
         } else {
@@ -215,10 +218,10 @@ impl Wave {
         })
     }
 
-    /// The save file for the waveform, which has that header and ends at `end` picoseconds.
-    fn save_file(&self, header: &[u8], end: u64) -> String {
+    /// A viewer's file for the waveform, which has that header and ends at `end` picoseconds.
+    fn shown_by(&self, viewer: Viewer, header: &[u8], end: u64) -> String {
         let (waveform, times) = (self.output.as_deref().unwrap_or(Path::new("")), self.filters.times());
-        save_file::of(waveform, header, times.start..times.end.min(end), self.filters.is_scoped())
+        viewer.text(waveform, header, times.start..times.end.min(end), self.filters.is_scoped())
     }
 }
 

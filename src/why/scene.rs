@@ -4,13 +4,13 @@ use super::text::{Told, json, text};
 use crate::engine::EngineArguments;
 use crate::machine::{Job, Machine, MachineArguments, Run};
 use crate::names;
-use crate::save_file::{self, is_ours, viewers, waveform};
 use crate::scene::{load, size};
-use crate::shell::output::{Output, Waveform};
-use crate::shell::place::{beside, check_distinct};
+use crate::shell::output::Waveform;
+use crate::shell::place::check_distinct;
 use crate::shell::text::legible;
 use crate::shell::{Exit, Failure, progress, terminal};
 use crate::trace::TraceOptions;
+use crate::viewer::{self, Viewer, waveform};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use std::ffi::OsStr;
@@ -70,11 +70,12 @@ impl SceneOptions {
             let sentence = format!("{option} makes several frames, and a pixel is followed in one: leave it out");
             return Err(Failure::new(Exit::BadInput, sentence));
         }
-        let save = self.output.as_deref().and_then(|path| beside(path, "gtkw"));
+        let beside = self.output.as_deref().map_or_else(Vec::new, viewer::files);
         let scene = load(name, self.size)?;
-        let written: Vec<&Path> = self.output.iter().chain(&save).map(PathBuf::as_path).collect();
+        let written: Vec<&Path> =
+            self.output.iter().chain(beside.iter().map(|(_, file)| file)).map(PathBuf::as_path).collect();
         check_distinct(&written, &scene.files.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
-        let asked = Asked { scene: &scene, machine, pixel, json, output: self.output.as_deref(), save };
+        let asked = Asked { scene: &scene, machine, pixel, json, output: self.output.as_deref(), beside };
         let strict = self.options.order.strict;
         match machine {
             Machine::Vc1 => asked.answer(&self.options.vc1.job(&scene)?),
@@ -92,7 +93,8 @@ struct Asked<'a> {
     pixel: [u32; 2],
     json: bool,
     output: Option<&'a Path>,
-    save: Option<PathBuf>,
+    /// The viewers' files beside the waveform.
+    beside: Vec<(Viewer, PathBuf)>,
 }
 
 impl Asked<'_> {
@@ -152,13 +154,16 @@ impl Asked<'_> {
         }
     }
 
-    /// Renders again and writes the waveform around a step, and its save file. Returns the commands that open them.
+    /// Renders again and writes the waveform around a step, and the files of viewers beside it. Returns the commands that open them.
     fn write_wave(&self, job: &impl Job, waveform: &Waveform, way: &Way) -> Result<Vec<String>, Failure> {
         let Some(step) = way.first_difference().or_else(|| last(way)) else { return Ok(Vec::new()) };
         let around = CLOCKS * (step.time / step.cycle.max(1));
         let times = step.time.saturating_sub(around)..step.time + around;
         let filters = TraceOptions::of(scopes(step), times.clone());
-        let ours = self.save.as_deref().filter(|path| is_ours(path)).map(Output::at).transpose()?;
+        let prepare = |(viewer, file): &(Viewer, PathBuf)| {
+            Ok(viewer.prepare(file)?.map(|output| (*viewer, file.clone(), output)))
+        };
+        let prepared: Vec<_> = self.beside.iter().map(prepare).collect::<Result<_, Failure>>()?;
         let run = Run { waveform: Some(waveform), ..Run::new(EngineArguments::default(), &filters) };
         progress::phase("building");
         // The run fails as the first one did, and the waveform is there.
@@ -169,10 +174,13 @@ impl Asked<'_> {
         {
             return Err(failure);
         }
-        let (Some(path), Some(save), Some(ours)) = (self.output, &self.save, ours) else { return Ok(Vec::new()) };
+        let Some(path) = self.output else { return Ok(Vec::new()) };
         let header = run.header.take();
-        ours.write(save_file::of(path, &header, times, true).as_bytes())?;
-        Ok(viewers(path, save))
+        let written = prepared.into_iter().flatten().map(|(viewer, file, output)| {
+            output.write(viewer.text(path, &header, times.clone(), true).as_bytes())?;
+            Ok(viewer.command(path, &file))
+        });
+        written.collect()
     }
 }
 

@@ -32,10 +32,41 @@ fn a_waveform_as_fst_has_what_it_has_as_vcd() {
         assert!(shown.len() > 5 && shown == read(&folder.path("a.vcd")), "{line}");
         assert!(std::fs::read(folder.path("a.fst")).unwrap() == std::fs::read(folder.path("b.FST")).unwrap(), "{line}");
     }
-    assert_eq!(folder.stdout("wave merging-unit -o mu.fst"), "gtkwave mu.fst mu.gtkw\nsurfer mu.fst\n");
+    let lines = "gtkwave mu.fst mu.gtkw\nsurfer -c mu.sucl mu.fst\n";
+    assert_eq!(folder.stdout("wave merging-unit -o mu.fst"), lines);
     let save = folder.read("mu.gtkw");
     folder.stdout("wave merging-unit -o mu.vcd");
     assert_eq!(save.replace("\"mu.fst\"", "\"mu.vcd\""), folder.read("mu.gtkw"));
+}
+
+/// Surfer finds a variable by the names that its reader has. Of a code it is to show the name.
+#[test]
+fn a_command_file_adds_variables_by_the_names_that_surfer_reads() {
+    let folder = Folder::new();
+    for (line, suffix) in [
+        ("wave lifo --memory words", ".words.[1]"),
+        ("wave vector-registers --memory registers", ".registers.[1].[2]"),
+        ("wave patch-table --scope **", ""),
+        ("wave image-merger --set units=2 --scope u_merging_unit[1].**", ".lane."),
+    ] {
+        let added = |name: &str| {
+            folder.stdout(&format!("{line} -o {name}"));
+            let (text, shown) = (folder.read("x.sucl"), read(&folder.path(name)));
+            let names: Vec<String> = shown.into_iter().map(|(name, _)| name).collect();
+            let lines: Vec<&str> = text.lines().collect();
+            let ["# Tilewright", variables @ .., "zoom_fit"] = &lines[..] else { panic!("{text}") };
+            let added: Vec<_> =
+                variables.iter().map(|line| line.strip_prefix("variable_add ").unwrap().to_owned()).collect();
+            assert!(added.len() > 5 && added.iter().all(|name| names.contains(name)), "{line}: {text}\n{names:?}");
+            assert!(added.iter().any(|name| name.contains(suffix)), "{line}: {text}");
+            added
+        };
+        let names = added("x.vcd");
+        assert_eq!(names, added("x.fst"), "{line}");
+        let states = names.iter().filter_map(|name| name.strip_suffix("_state"));
+        assert!(states.clone().all(|number| !names.iter().any(|name| name == number)), "{line}");
+        assert!(!line.contains("patch-table") || states.count() > 0, "{line}");
+    }
 }
 
 /// The names of words are those of `why`.
@@ -69,7 +100,10 @@ fn words_of_memories_are_in_a_waveform_if_it_is_asked_for_them() {
         let run = folder.run(&format!("wave {arguments}"));
         assert!(run.code == Some(2) && run.stderr.contains(sentence), "{arguments}: {run:?}");
     }
-    assert_eq!(folder.names(), ["with.fst", "with.gtkw", "with.vcd", "without.fst", "without.gtkw"]);
+    assert_eq!(
+        folder.names(),
+        ["with.fst", "with.gtkw", "with.sucl", "with.vcd", "without.fst", "without.gtkw", "without.sucl"]
+    );
 }
 
 #[test]

@@ -94,7 +94,7 @@ fn names_that_are_no_text_work_everywhere() {
     let wave = json("wave merging-unit -o @.vcd --json");
     assert_eq!(wave["files"][1], "a\u{fffd}.gtkw");
     assert_eq!(wave["commands"][0], r"gtkwave $'a\377.vcd' $'a\377.gtkw'");
-    for end in ["", ".png", "2.png", ".vcd", ".gtkw"] {
+    for end in ["", ".png", "2.png", ".vcd", ".gtkw", ".sucl"] {
         assert!(folder.path(OsStr::from_bytes(&name(end))).exists(), "{end}");
     }
 }

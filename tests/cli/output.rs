@@ -100,10 +100,13 @@ fn a_waveform_goes_to_a_pipe_or_a_device_without_a_save_file() {
         let run = folder.run(line);
         assert_eq!((run.code, run.stderr.replace("wrote /dev/null\n", "").as_str()), (Some(0), ""), "{line}: {run:?}");
     }
-    for left in ["stdout.gtkw", "null.gtkw", "null.difference.png"] {
+    for left in ["stdout.gtkw", "null.gtkw", "null.sucl", "null.difference.png"] {
         assert!(!std::path::Path::new("/dev").join(left).exists(), "{left} is left in /dev");
     }
-    assert_eq!(folder.names(), ["fifo.vcd", "pipe", "piped.vcd", "plain.gtkw", "plain.vcd", "pyramid.obj"]);
+    assert_eq!(
+        folder.names(),
+        ["fifo.vcd", "pipe", "piped.vcd", "plain.gtkw", "plain.sucl", "plain.vcd", "pyramid.obj"]
+    );
 }
 
 #[test]

@@ -93,7 +93,7 @@ fn a_save_file_of_somebody_else_stays() {
     let run = folder.run(&format!("{WAVE} x.vcd"));
     assert_eq!((run.code, folder.read("x.gtkw").as_str()), (Some(0), theirs), "{run:?}");
     assert!(run.stderr.contains("warning: x.gtkw was not written by tilewright and is kept"), "{run:?}");
-    assert_eq!(run.stdout, "gtkwave x.vcd x.gtkw\nsurfer x.vcd\n");
+    assert_eq!(run.stdout, "gtkwave x.vcd x.gtkw\nsurfer -c x.sucl x.vcd\n");
     // Our own is written again.
     fs::remove_file(folder.path("x.gtkw")).unwrap();
     folder.stdout(&format!("{WAVE} x.vcd"));
@@ -101,6 +101,12 @@ fn a_save_file_of_somebody_else_stays() {
     fs::write(folder.path("x.gtkw"), "[*] Tilewright\nold\n").unwrap();
     folder.stdout(&format!("{WAVE} x.vcd"));
     assert_eq!(folder.read("x.gtkw"), ours);
+    // Surfer's is kept, too.
+    assert!(folder.read("x.sucl").starts_with("# Tilewright\nvariable_add "));
+    fs::write(folder.path("x.sucl"), "zoom_fit\n").unwrap();
+    let run = folder.run(&format!("{WAVE} x.vcd"));
+    assert!(run.code == Some(0) && run.stderr.contains("warning: x.sucl was not written by tilewright"), "{run:?}");
+    assert_eq!(folder.read("x.sucl"), "zoom_fit\n");
 }
 
 #[test]

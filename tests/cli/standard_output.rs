@@ -58,7 +58,7 @@ fn standard_output_takes_a_waveform() {
     assert!(run.stderr.starts_with("{\n  \"format\": 1,") && run.stderr.ends_with("}\n"), "{run:?}");
     let run = silent(&folder, "tilewright wave merging-unit -o - --ascii > x.vcd");
     assert!(run.stderr.starts_with("clk    |__"), "{run:?}");
-    assert_eq!(folder.names(), ["log", "plain.gtkw", "plain.vcd", "pyramid.obj", "x.vcd"]);
+    assert_eq!(folder.names(), ["log", "plain.gtkw", "plain.sucl", "plain.vcd", "pyramid.obj", "x.vcd"]);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::cli::harness::{Folder, Waveform};
 fn a_scenario_becomes_a_waveform_that_opens_with_its_signals() {
     let folder = Folder::new();
     let lines = folder.stdout("wave merging-unit -o mu.vcd");
-    assert_eq!(lines, "gtkwave mu.vcd mu.gtkw\nsurfer mu.vcd\n");
+    assert_eq!(lines, "gtkwave mu.vcd mu.gtkw\nsurfer -c mu.sucl mu.vcd\n");
     let waveform = Waveform::read(&folder.path("mu.vcd"));
     assert!(waveform.names.contains(&"merging_unit.left[47:0]".to_owned()), "{:?}", waveform.names);
     // The reset and 11 rows of 80 ns, to the next edge.
@@ -43,8 +43,9 @@ fn without_a_file_the_wave_is_text() {
     let text = folder.stdout("wave merging_unit");
     assert!(text.starts_with("clk    |__"), "{text}");
     assert_eq!(text, folder.stdout("wave merging-unit --ascii"));
-    assert_eq!(folder.stdout("wave merging-unit -o mu.vcd --ascii"), text + "gtkwave mu.vcd mu.gtkw\nsurfer mu.vcd\n");
-    assert_eq!(folder.names(), ["mu.gtkw", "mu.vcd"]);
+    let lines = "gtkwave mu.vcd mu.gtkw\nsurfer -c mu.sucl mu.vcd\n";
+    assert_eq!(folder.stdout("wave merging-unit -o mu.vcd --ascii"), text + lines);
+    assert_eq!(folder.names(), ["mu.gtkw", "mu.sucl", "mu.vcd"]);
 }
 
 #[test]
