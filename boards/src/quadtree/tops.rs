@@ -1,7 +1,7 @@
 //! The machine on boards.
 
 use tilewright_blocks::VideoTiming;
-use tilewright_hdl::{Module, block};
+use tilewright_hdl::{Module, block, def};
 use tilewright_rtl::parameter::{ParameterError, Screen as Pixels};
 use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_rtl::quadtree::format::{Format, Matrix};
@@ -16,7 +16,7 @@ use super::store::Store;
 use super::turning::{Step, Turning};
 use crate::icebreaker::{self, Pmod};
 use crate::screen::Screen;
-use crate::ulx3s::{self, Socket};
+use crate::ulx3s::{self, SlowPll, Socket, at_rest};
 
 /// A machine for a board, with what it draws.
 #[derive(Debug, Clone)]
@@ -62,7 +62,10 @@ pub fn for_ulx3s(pixels: Pixels, turning: &Turning) -> Result<OnBoard, Parameter
     let precision = Precision { position: 9, slope: 14, edge: 23, plane: 20, depth: 9, colour: 3 };
     let format = Format::new(pixels, Matrix::new(4, 4)?, 3)?.with_precision(precision)?;
     let queues = Queues { broadcast: 1, packets: 1, windows: 1 };
-    Build { form: "stack", test: Test::Serial, queues, word: 108, refreshes: 8, scale: 1 }.machine(format, turning)
+    let build = Build { form: "stack", test: Test::Serial, queues, word: 108, refreshes: 8, scale: 1 };
+    let mut on_board = build.machine(format, turning)?;
+    on_board.picture.clock = Some(ulx3s::SLOW);
+    Ok(on_board)
 }
 
 /// The machine for an iCEBreaker: one video processor, with words of 16 bits in single-port memories.
@@ -121,8 +124,9 @@ impl QuadtreeOnUlx3s {
     }
 
     fn build(&self, m: Module, (): ()) -> Socket {
+        def!(slow_pll = m.instance(&SlowPll, at_rest()));
         let screen = Screen { picture: self.picture.clone(), timing: self.timing.clone(), double: false };
-        ulx3s::show(m, &screen, &[])
+        ulx3s::show(m, &screen, &[slow_pll.lock])
     }
 }
 

@@ -7,7 +7,7 @@ use crate::dvi::{DviSender, DviSenderIn};
 use crate::picture::Picture;
 use crate::screen::{Screen, ScreenIn};
 pub use pads::{DoubleRate, DoubleRateIn, DoubleRateOut};
-pub use pll::{CorePll, MachinePll, PllIn, PllOut, SerialPll, at_rest};
+pub use pll::{CorePll, MachinePll, PllIn, PllOut, SerialPll, SlowPll, at_rest};
 use tilewright_hdl::{Clock, Module, Period, Reset, Signal, bit, def, lit, record, row};
 
 /// The board's oscillator, which is also the clock of the pixels: 640 x 480 at 59.5 Hz.
@@ -15,6 +15,9 @@ pub const PIXEL: Clock = Clock::new("pixel", Period::ns(40)).reset(Reset::PowerO
 
 /// The clock of the serial lines, which send a bit at each of its edges.
 pub const SERIAL: Clock = Clock::new("serial", Period::ns(8)).reset(Reset::PowerOn);
+
+/// The clock of a machine whose logic is too slow for that of the pixels.
+pub const SLOW: Clock = Clock::new("slow", Period::ns(60)).reset(Reset::PowerOn);
 
 /// The clock of a design without a picture.
 pub const CORE: Clock = Clock::new("core", Period::ps(12_500)).reset(Reset::PowerOn);

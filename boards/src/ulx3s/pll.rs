@@ -1,6 +1,6 @@
 //! PLLs of an ECP5.
 
-use super::{CORE, PIXEL, SERIAL};
+use super::{CORE, PIXEL, SERIAL, SLOW};
 use tilewright_hdl::{Foreign, Module, Signal, bit, block, def, lit, record, up_to};
 use tilewright_rtl::clocks::{MERGE, PE};
 
@@ -113,6 +113,27 @@ block! {
 }
 
 impl MachinePll {
+    fn build(&self, m: Module, i: PllIn) -> PllOut {
+        m.ignore(&i);
+        PllOut { lock: locks(m) }
+    }
+}
+
+block! {
+    /// The PLL of an ECP5 as it makes 16.7 MHz of 25 MHz. Its oscillator runs at 600 MHz.
+    pub struct SlowPll;
+    foreign = pll()
+        .parameter("CLKI_DIV", 3)
+        .parameter("CLKFB_DIV", 2)
+        .parameter("CLKOP_DIV", 36)
+        .parameter("CLKOP_CPHASE", 17)
+        .clock_of(SLOW, "CLKFB")
+        .makes(SLOW, "CLKOP");
+    in = PllIn;
+    out = PllOut;
+}
+
+impl SlowPll {
     fn build(&self, m: Module, i: PllIn) -> PllOut {
         m.ignore(&i);
         PllOut { lock: locks(m) }
