@@ -57,7 +57,7 @@ struct CommandLine {
 const AFTER_HELP: &str = "\
 Exit codes:
   0    done
-  1    a check failed: a frame differs from the golden image, an assertion of the hardware fails, a cover of a block is never reached, a module differs from the block that it is compared with, a block does not fit its device or is too slow there, two waveforms differ, or simulators or engines disagree
+  1    a check failed: a frame, or the pixel that is asked about, differs from the golden image, an assertion of the hardware fails, a cover of a block is never reached, a module differs from the block that it is compared with, a block does not fit its device or is too slow there, two waveforms differ, or simulators or engines disagree
   2    bad usage or bad input
   3    an output cannot be written
   4    an external program is not installed, or fails

@@ -9,3 +9,4 @@ mod vc1_campaign;
 mod vc1_model;
 mod vc1_times;
 mod vc1_whole;
+mod way;

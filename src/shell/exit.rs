@@ -11,7 +11,7 @@ use tilewright_scenes::SceneError;
 pub enum Exit {
     /// Done.
     Done = 0,
-    /// A frame differs from the golden image, an assertion of the hardware fails, two waveforms differ, or simulators or engines disagree.
+    /// A frame, or a pixel that is asked about, differs from the golden image, an assertion of the hardware fails, two waveforms differ, or simulators or engines disagree.
     CheckFailed = 1,
     /// Bad usage or bad input.
     BadInput = 2,

@@ -16,7 +16,7 @@ use tilewright_sim::{Cause, EngineKind, Limits, Part};
 #[command(next_help_heading = "Options for a block")]
 pub struct BlockOptions {
     /// Name of a net, a register, a port or a word of a memory
-    #[arg(long, value_name = "NET", required_unless_present = "pixel", conflicts_with = "pixel")]
+    #[arg(long, value_name = "NET", conflicts_with = "pixel")]
     pub signal: Option<String>,
     #[command(flatten)]
     moment: Moment,

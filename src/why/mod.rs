@@ -54,7 +54,11 @@ impl Why {
                 self.block.run(&self.what, signal, self.json)
             }
             (None, Some(pixel)) => self.scene.run(&self.what, pixel, self.json),
-            (None, None) => unreachable!("one of both is required"),
+            (None, None) => {
+                let sentence =
+                    "what is asked about is missing: give --signal NET for a block, or --pixel X,Y for a scene";
+                Err(Failure::new(Exit::BadInput, sentence))
+            }
         }
     }
 }

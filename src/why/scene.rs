@@ -102,7 +102,7 @@ impl Asked<'_> {
         let (size, [x, y], machine) = (job.size(), self.pixel, self.machine.name());
         let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
         if !job.follows() {
-            return bad(format!("{machine} does not tell the way of a pixel yet: pass --machine vc1"));
+            return bad(format!("{machine} does not tell the way of a pixel yet: pass --machine vc1 or quadtree"));
         }
         if x >= size.width() || y >= size.height() {
             let (right, bottom) = (size.width() - 1, size.height() - 1);
@@ -116,18 +116,15 @@ impl Asked<'_> {
         let engine = EngineArguments::default();
         progress::phase("building");
         let rendered = job.render(&Run { follower: Some(&follower), ..Run::new(engine, &filters) });
-        let way = follower.take();
         let (frame, failed) = match rendered {
             Ok((frame, _)) => (Some(frame), None),
+            Err(failure) if asked_to_end(&failure) => return Err(failure),
             Err(failure) => (None, Some(failure)),
         };
-        let asked_to_end = |it: &Failure| matches!(it.exit, Exit::Interrupted | Exit::HungUp | Exit::Terminated);
-        let way = match (way, failed) {
+        let (way, failed) = match (follower.take(), failed) {
             (None, Some(failure)) => return Err(failure),
-            (Some(_), Some(failure)) if asked_to_end(&failure) => return Err(failure),
             (way, failed) => (way.unwrap_or_default(), failed),
         };
-        let (way, failed) = way;
         let told = Told {
             scene: &self.scene.name,
             machine,
@@ -137,21 +134,14 @@ impl Asked<'_> {
             golden: golden.word(x, y),
             way: &way,
         };
-        let mut files = Vec::new();
-        if let Some(waveform) = &waveform {
-            files = self.write_wave(job, waveform, &way)?;
+        let commands = waveform.map_or(Ok(Vec::new()), |waveform| self.write_wave(job, &waveform, &way))?;
+        if self.json {
+            terminal::print_json(&json(&told, &commands))?;
+        } else {
+            terminal::print(&legible(&text(&told)))?;
+            commands.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
         }
-        match self.json {
-            true => terminal::print_json(&json(&told))?,
-            false => terminal::print(&legible(&text(&told)))?,
-        }
-        files.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
-        match failed {
-            // A check of the machine itself failed.
-            Some(failure) => Err(failure.with(Exit::CheckFailed)),
-            None if told.is_right() => Ok(Exit::Done),
-            None => Ok(Exit::CheckFailed),
-        }
+        told.end(failed)
     }
 
     /// Renders again and writes the waveform around a step, and the files of viewers beside it. Returns the commands that open them.
@@ -182,6 +172,11 @@ impl Asked<'_> {
         });
         written.collect()
     }
+}
+
+/// Whether a run failed because it was interrupted.
+fn asked_to_end(failure: &Failure) -> bool {
+    matches!(failure.exit, Exit::Interrupted | Exit::HungUp | Exit::Terminated)
 }
 
 /// The last step of the visible primitive, or of any.

@@ -1,6 +1,7 @@
 //! The way of a pixel, as text and as JSON.
 
 use crate::block::entries;
+use crate::shell::{Exit, Failure};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tilewright_machines::{Primitive, Step, Way};
@@ -24,6 +25,18 @@ impl Told<'_> {
     /// Whether the frame has the golden image's pixel.
     pub fn is_right(&self) -> bool {
         self.shown == Some(self.golden)
+    }
+
+    /// How the command ends, also if the run failed, as a check of the machine itself did.
+    ///
+    /// # Errors
+    /// The run failed.
+    pub fn end(&self, failed: Option<Failure>) -> Result<Exit, Failure> {
+        match failed {
+            Some(failure) => Err(failure.with(Exit::CheckFailed)),
+            None if self.is_right() => Ok(Exit::Done),
+            None => Ok(Exit::CheckFailed),
+        }
     }
 }
 
@@ -127,8 +140,8 @@ fn source(block: &str) -> Option<&'static str> {
     Some(design.top().loc.file())
 }
 
-/// The same as JSON.
-pub fn json(told: &Told) -> Value {
+/// The same as JSON, with the commands that open its waveform.
+pub fn json(told: &Told, commands: &[String]) -> Value {
     let Told { scene, machine, size, pixel, shown, golden, way } = told;
     let hex = |word: u64| format!("{word:012x}");
     let primitive = |it: &Primitive| {
@@ -168,5 +181,73 @@ pub fn json(told: &Told) -> Value {
         "primitives": way.primitives.iter().map(primitive).collect::<Vec<_>>(),
         "steps": way.steps.iter().map(step).collect::<Vec<_>>(),
         "first_difference": difference,
+        "commands": commands,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_machines::Compared;
+
+    /// A merging unit that passes the farther pixel, and the frame buffer that stores it.
+    fn wrong() -> Way {
+        let step = |time: u64, block: &'static str, hardware: &str, golden: &str| Step {
+            primitive: Some(4),
+            unit: format!("unit of {block}"),
+            block,
+            does: "passes a pixel".to_owned(),
+            clock: "merge".to_owned(),
+            cycle: time / 80_000,
+            time,
+            net: Some(format!("u_{block}.word")),
+            values: vec![Compared { what: "word", hardware: hardware.to_owned(), golden: Some(golden.to_owned()) }],
+        };
+        let steps = vec![
+            step(160_000, "image-memory", "5", "5"),
+            step(240_000, "merging-unit", "9", "5"),
+            step(320_000, "gfb-unit", "9", "5"),
+        ];
+        let primitive = |number: usize, word, wins| Primitive {
+            number,
+            name: format!("triangle {number}"),
+            golden: Some(word),
+            hardware: Some(word),
+            wins,
+        };
+        Way { primitives: vec![primitive(4, 5, true), primitive(7, 9, false)], steps }
+    }
+
+    fn told(way: &Way, shown: Option<u64>) -> Told<'_> {
+        let size = Size::new(16, 12).expect("in range");
+        Told { scene: "star", machine: "vc1", size, pixel: [3, 2], shown, golden: 5, way }
+    }
+
+    #[test]
+    fn the_first_difference_is_marked_and_its_block_and_source_are_named() {
+        let text = text(&told(&wrong(), Some(9)));
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines[0], "pixel 3,2 of star on vc1, 16x12 pixels: NOT as in the golden image");
+        assert!(lines.contains(&"  triangle 4: 000000000005, visible"), "{text}");
+        let marks: Vec<&str> = lines.iter().filter(|line| line.contains(" us ")).map(|line| &line[..2]).collect();
+        assert_eq!(marks, ["  ", "> ", "! "], "{text}");
+        let last = "the first difference is in merging-unit (rtl/src/merger/unit.rs): unit of merging-unit passes a pixel: \
+                    word is 9, and the model has 5";
+        assert_eq!(lines.last(), Some(&last));
+        let json = json(&told(&wrong(), Some(9)), &[]);
+        assert_eq!((&json["identical"], &json["first_difference"]["step"]), (&false.into(), &1.into()));
+        assert_eq!(json["first_difference"]["source"], "rtl/src/merger/unit.rs");
+    }
+
+    #[test]
+    fn a_pixel_that_differs_and_a_check_that_fails_have_exit_code_1() {
+        let way = Way::default();
+        assert_eq!(told(&way, Some(5)).end(None).unwrap(), Exit::Done);
+        assert_eq!(told(&way, Some(9)).end(None).unwrap(), Exit::CheckFailed);
+        let failed = Failure::new(Exit::BadInput, "internal error");
+        assert_eq!(told(&way, None).end(Some(failed)).unwrap_err().exit, Exit::CheckFailed);
+        assert!(
+            text(&told(&way, None)).starts_with("pixel 3,2 of star on vc1, 16x12 pixels: the machine showed no frame")
+        );
+    }
 }

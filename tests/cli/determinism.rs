@@ -2,13 +2,14 @@
 
 use crate::cli::harness::Folder;
 
-const LINES: [&str; 10] = [
+const LINES: [&str; 11] = [
     "render pyramid.obj --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",
     "render pyramid.obj --machine quadtree --size 16x12 --matrix 2x2 --form stack -o quadtree.png --vcd quadtree.vcd --json",
     "golden ter1k --size 64x48 -o golden.png",
     "golden textured --size 64x48 --deferred --samples 8 -o textured.png",
     "wave gfb-unit -o gfb.vcd --ascii",
     "why gfb-unit --signal pixel_rgb --json",
+    "why pyramid.obj --machine quadtree --size 16x12 --matrix 2x2 --pixel 8,6 -o pixel.vcd --json",
     "verilog gfb-unit -o . --testbench",
     "diagram gfb-unit --depth 2 -o gfb.svg --ascii",
     "list --json",

@@ -66,3 +66,93 @@ fn what_there_is_not_is_said_with_a_remedy() {
         assert!(run.stderr.contains(sentence), "{arguments}: {run:?}");
     }
 }
+
+/// The values of a step of a way, by name.
+fn value<'a>(way: &'a Value, does: &str, what: &str) -> Vec<&'a str> {
+    let steps = way["steps"].as_array().unwrap().iter().filter(|it| it["does"].as_str().unwrap().starts_with(does));
+    let values = steps.flat_map(|it| it["values"].as_array().unwrap()).filter(|it| it["what"] == what);
+    values.map(|it| it["hardware"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn a_pixel_is_followed_from_its_primitives_to_the_display() {
+    let folder = Folder::with_pyramid();
+    let way = folder.json("why pyramid.obj --size 32x24 --processors 2 --refresh 5000 --pixel 16,12 --json");
+    assert_eq!(
+        (&way["format"], &way["machine"], &way["pixel"]),
+        (&1.into(), &"vc1".into(), &serde_json::json!([16, 12]))
+    );
+    assert_eq!((&way["identical"], &way["first_difference"]), (&true.into(), &Value::Null));
+    let visible: Vec<&Value> =
+        way["primitives"].as_array().unwrap().iter().filter(|it| it["visible"] == true).collect();
+    assert_eq!(visible.len(), 1, "{way}");
+    let word = way["golden"].as_str().unwrap();
+    assert_eq!((&visible[0]["hardware"], &way["shown"]), (&word.into(), &word.into()));
+    assert!(value(&way, "draws the pixel", "word").contains(&word), "{way}");
+    assert!(value(&way, "draws at address", "word that stays").contains(&word), "{way}");
+    assert!(value(&way, "compares two pixels", "nearer").contains(&word), "{way}");
+    assert_eq!(value(&way, "stores the pixel", "new word").last(), Some(&word));
+    assert_eq!(value(&way, "shows the pixel", "colour"), [&word[6..]]);
+    assert!(way["steps"].as_array().unwrap().is_sorted_by_key(|it| it["picoseconds"].as_u64()));
+
+    let text =
+        folder.stdout("why pyramid.obj --size 32x24 --machine quadtree --matrix 2x2 --form pipe:1+stack --pixel 16,12");
+    let [first, shown, golden, .., last] = text.lines().collect::<Vec<_>>()[..] else { panic!("{text}") };
+    assert_eq!(first, "pixel 16,12 of pyramid on quadtree, 32x24 pixels: as in the golden image");
+    let colour = |line: &str| line.split_once("colour ").map(|(_, it)| it.to_owned());
+    assert_eq!((colour(shown).is_some(), colour(shown)), (true, colour(golden)));
+    assert_eq!(last, "no step differs from its model");
+    for unit in
+        ["set-up makes", "coverage test of level 1 tests", "coverage test of levels 2 to ", "pixel processor makes"]
+    {
+        assert!(text.contains(unit), "{unit}: {text}");
+    }
+}
+
+#[test]
+fn the_wave_has_40_clocks_around_the_last_step_of_the_visible_primitive() {
+    let folder = Folder::with_pyramid();
+    let run =
+        folder.run("why pyramid.obj --size 16x12 --machine quadtree --matrix 2x2 --pixel 8,6 -o pixel.vcd --json");
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let way: Value = serde_json::from_str(&run.stdout).unwrap();
+    let winner = &way["primitives"].as_array().unwrap().iter().find(|it| it["visible"] == true).unwrap()["number"];
+    let step = way["steps"].as_array().unwrap().iter().rfind(|it| it["primitive"] == *winner).unwrap();
+    let [time, cycle] = ["picoseconds", "cycle"].map(|it| step[it].as_u64().unwrap());
+    let around = 20 * (time / cycle);
+    let wave = std::fs::read_to_string(folder.path("pixel.vcd")).unwrap();
+    let times: Vec<u64> = wave.lines().filter_map(|line| line.strip_prefix('#')?.parse().ok()).collect();
+    assert!(times.contains(&time), "{time}: {times:?}");
+    assert!(times.iter().all(|it| (time - around..=time + around).contains(it)), "{time} {around}: {times:?}");
+    let unit = step["net"].as_str().unwrap().rsplit('.').nth(1).unwrap();
+    assert!(wave.contains(unit), "{unit}");
+    assert_eq!(way["commands"], serde_json::json!(["gtkwave pixel.vcd pixel.gtkw", "surfer pixel.vcd"]));
+    let save = std::fs::read_to_string(folder.path("pixel.gtkw")).unwrap();
+    assert!(save.contains(&format!("[timestart] {}", time - around)), "{save}");
+}
+
+#[test]
+fn a_question_about_a_pixel_that_has_no_answer_is_refused_in_a_sentence() {
+    let folder = Folder::with_pyramid();
+    for (arguments, sentence) in [
+        (
+            "pyramid.obj --size 32x24 --pixel 32,5",
+            "pixel 32,5 is outside of a picture of 32x24: give one from 0,0 to 31,23",
+        ),
+        ("pyramid.obj --pixel 5", "give two whole numbers of pixels, from the left and from the top, such as 396,189"),
+        ("pyramid.obj --size 32x24 --pixel 5,5 --accumulate 2", "a pixel is followed in one: leave it out"),
+        (
+            "pyramid.obj --size 32x24 --pixel 5,5 --machine pixelflow",
+            "pixelflow does not tell the way of a pixel yet: pass --machine vc1 or quadtree",
+        ),
+        ("pyramid.obj --size 32x24 --pixel 5,5 --matrix 2x2", "--matrix is an option of quadtree"),
+        ("fifo", "give --signal NET for a block, or --pixel X,Y for a scene"),
+        ("fifo --signal used --matrix 2x2", "--matrix is an option for a scene, and --signal asks about a block"),
+        ("fifo --signal used --pixel 1,1", "cannot be used with"),
+        ("pyramid.obj --size 32x24 --pixel 1,1 --at 3", "cannot be used with"),
+    ] {
+        let run = folder.run(&format!("why {arguments}"));
+        assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{arguments}: {run:?}");
+        assert!(run.stderr.contains(sentence), "{arguments}: {run:?}");
+    }
+}

@@ -120,7 +120,7 @@ impl Machine {
     ) -> Result<Report, Error> {
         let rendered = self.run(background, watch, views, seen);
         if let (Some(following), Err(error)) = (&mut self.hardware.following, &rendered) {
-            following.fails(error);
+            following.fails(&mut self.hardware.sim, error);
         }
         // It leaves the way.
         self.hardware.following = None;
@@ -183,6 +183,23 @@ impl Machine {
 mod tests {
     use super::*;
     use tilewright_scenes::{Scene, Size, compare, golden, project};
+
+    /// A bus that flips a bit is where the way of a pixel first differs, and the run goes on to the wrong frame.
+    #[test]
+    fn a_bus_that_changes_words_is_the_first_difference() {
+        let scene = Scene::builtin("star").unwrap();
+        let projection = project(&scene, Size::new(16, 12).unwrap()).unwrap();
+        let config = Config { processors: 2, apr: Some(0), refresh: 5000.0, ..Config::new(projection.size) };
+        let golden = golden::render(projection.size, &projection.triangles, scene.background);
+        let follower = Follower::new([8, 6]);
+        let mut machine = Machine::new(config).unwrap().following(&follower);
+        machine.hardware.flips = 0x80_0000;
+        let (frame, _) = machine.render(&projection, scene.background, &mut Watch::default()).unwrap();
+        assert!(compare(&frame, &golden).differing > 0);
+        let way = follower.take().unwrap();
+        let step = way.first_difference().unwrap();
+        assert_eq!((step.block, step.values[0].what), ("broadcast-bus", "word"));
+    }
 
     /// The last word of a packet is the colour of its third vertex. A flipped bit of it is visible in the frame (VC1-APR).
     #[test]

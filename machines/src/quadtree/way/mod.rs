@@ -8,7 +8,9 @@ mod nets;
 mod numbers;
 mod packets;
 mod pixels;
+mod queue;
 mod reading;
+mod sequence;
 mod units;
 
 use std::rc::Rc;
@@ -16,6 +18,7 @@ use std::rc::Rc;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::quadtree::format::Format;
 use tilewright_rtl::quadtree::generator::{QuadtreeGeneratorIn, QuadtreeGeneratorOut};
+use tilewright_rtl::quadtree::raster::{Form, Part};
 use tilewright_scenes::Polygon;
 use tilewright_scenes::frame::{blank, depth_of};
 use tilewright_sim::Simulation;
@@ -28,7 +31,7 @@ use buffer::Buffer;
 use packets::Packets;
 use pixels::Pixels;
 use reading::Reading;
-use units::Unit;
+use units::Link;
 
 /// The simulation that is observed.
 type Sim = Simulation<QuadtreeGeneratorIn, QuadtreeGeneratorOut>;
@@ -58,7 +61,8 @@ pub(crate) struct Following {
     told: Told,
     period: u64,
     packets: Packets,
-    units: Vec<Unit>,
+    links: Vec<Link>,
+    idle: Vec<(String, &'static str)>,
     pixels: Pixels,
     buffer: Buffer,
     reading: Reading,
@@ -83,23 +87,24 @@ impl Following {
         let pixel = y * config.size.width() + x;
         let followed = Followed { format, pixel, processor: row * p + column, column, row, x: x / p, y: y / q };
         let polygons: Rc<[Polygon]> = polygons.into();
-        let units = units::of(&followed, &config.parsed_form()?, &polygons);
+        let links = units::of(&followed, &config.parsed_form()?, &polygons);
         // Each window takes a clock for each edge of each quarter, and more for those that pass.
-        let windows = 4_u64.pow(format.levels() + 1);
-        let queues = config.queues.broadcast + config.queues.packets + format.levels() * config.queues.windows + 8;
+        let windows = (4_u64.pow(format.levels() + 1) + 64) / 3 * u64::from(4 * config.edges + 16);
+        let queues = config.queues.broadcast + config.queues.packets + 2;
         Ok(Following {
             follower: follower.clone(),
             primitives: primitives(&polygons, follower.pixel, background, config.strict),
             told: Told::default(),
             period,
             packets: Packets::new(&followed, polygons.clone()),
-            units,
+            links,
+            idle: idle(&followed, &config.parsed_form()?),
             pixels: Pixels::new(&followed, polygons, follower.pixel),
             buffer: Buffer::new(&followed, config.strict),
             reading: Reading::new(&followed, background),
             is_reading: false,
             still: 0,
-            most: windows * 48 * u64::from(queues),
+            most: windows * u64::from(queues),
         })
     }
 
@@ -118,13 +123,13 @@ impl Following {
         if self.packets.look(sim, edge, &mut self.told) {
             self.still = 0;
         }
+        for link in &mut self.links {
+            link.look(sim, edge, &mut self.told);
+        }
         self.buffer.look(sim, edge, &mut self.told);
         let fragment = self.pixels.look(sim, edge, (&mut self.primitives, &mut self.told));
         if let Some(fragment) = fragment {
             self.buffer.draws(fragment, edge.number);
-        }
-        for unit in &mut self.units {
-            unit.look(sim, edge, &mut self.told);
         }
     }
 
@@ -158,8 +163,15 @@ impl Following {
     pub fn ends(&mut self, sim: &mut Sim, clock: u64) {
         let edge = self.edge(clock);
         let told = &mut self.told;
-        if self.packets.ends(edge, told) && self.units.iter_mut().all(|unit| unit.ends(sim, edge, told)) {
-            self.pixels.ends(edge, told);
+        let is_over = self.packets.ends(edge, told) && self.links.iter_mut().all(|it| it.ends(sim, edge, told));
+        if !is_over || !self.pixels.ends(edge, told) || self.still <= self.most {
+            return;
+        }
+        // Everything has been drawn, and some unit does not say so.
+        let busy = self.idle.iter().find(|(name, _)| net(sim, name) == 0);
+        if let Some((name, block)) = busy {
+            let at = At { unit: format!("`{name}`"), block, edge };
+            told.tell(at.step("says that nothing is under way", vec![compared("idle", "no", "yes")]).on(name));
         }
     }
 
@@ -185,6 +197,24 @@ impl Following {
         let edge = self.edge(clock);
         self.reading.ends(edge, &mut self.told);
     }
+}
+
+/// The nets that say that nothing is under way, the inner ones first, each with its block.
+fn idle(followed: &Followed, form: &Form) -> Vec<(String, &'static str)> {
+    let processor = format!("u_processor[{}]", followed.processor);
+    let raster = format!("{processor}.u_raster");
+    let parts = form.parts().iter().enumerate().map(|(number, part)| match part {
+        Part::Stack(_) => (format!("{raster}.u_stack{number}.idle"), "quadtree-stack"),
+        Part::Pipe(_) => (format!("{raster}.u_pipe{number}.idle"), "quadtree-pipe"),
+        Part::Tree(_) => (format!("{raster}.u_tree{number}.idle"), "quadtree-tree"),
+    });
+    let outer = [
+        (format!("{raster}.idle"), "raster-processor"),
+        (format!("{processor}.u_set_up.idle"), "quadtree-set-up"),
+        (format!("{processor}.idle"), "video-processor"),
+        ("idle".to_owned(), "quadtree-generator"),
+    ];
+    parts.chain(outer).collect()
 }
 
 /// The polygons that cover the pixel.
@@ -228,4 +258,44 @@ fn nothing(unit: String, block: &'static str, edge: Edge, does: String, expected
 fn net(sim: &mut Sim, name: &str) -> u64 {
     let value = sim.peek(name).unwrap_or_else(|unknown| panic!("{unknown}"));
     value.to_u64().expect("it has at most 64 bits")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quadtree::hardware::Hardware;
+    use crate::quadtree::host::Host;
+    use crate::run::Watch;
+    use tilewright_scenes::{Scene, Size, project_polygons};
+
+    /// The first difference in a machine of one processor that gets other packets than its model.
+    fn first(change: impl Fn(&mut Vec<Polygon>)) -> Option<(&'static str, String)> {
+        let (scene, size) = (Scene::builtin("star").unwrap(), Size::new(8, 6).unwrap());
+        let packets = project_polygons(&scene, size).unwrap().polygons;
+        let config = Config { matrix: (1, 1), ..Config::for_packets(size, &packets) };
+        let mut hardware = Hardware::new(&config.generator().unwrap()).unwrap();
+        hardware.reset(false).unwrap();
+        let follower = Follower::new([4, 3]);
+        let mut watch = Watch::default();
+        let mut host = Host::new(&mut hardware, &mut watch);
+        let following = Following::new(&follower, &config, &packets, [0; 3], 10_000).unwrap();
+        host.following = Some(Box::new(following));
+        let mut sent = packets.clone();
+        change(&mut sent);
+        host.draw(&sent).unwrap();
+        host.read_out(size, [0; 3]).unwrap();
+        host.following = None;
+        let way = follower.take().unwrap();
+        way.first_difference()
+            .map(|step| (step.block, step.values.iter().find(|it| it.differs()).unwrap().hardware.clone()))
+    }
+
+    #[test]
+    fn a_packet_that_is_changed_or_lost_on_the_way_is_the_first_difference() {
+        assert_eq!(first(|_| {}), None);
+        let changed = first(|packets| packets[3].rgb[1].origin ^= 1 << 20);
+        assert_eq!(changed.map(|it| it.0), Some("quadtree-generator"));
+        let lost = first(|packets| drop(packets.pop()));
+        assert_eq!(lost, Some(("quadtree-generator", "nothing".to_owned())));
+    }
 }

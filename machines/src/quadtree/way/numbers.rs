@@ -58,6 +58,12 @@ impl Followed {
         [right - first_x, bottom - first_y, last_x - left, last_y - top]
     }
 
+    /// Whether a packet's bounds contain the pixel, so that its way is told.
+    pub fn is_told(&self, packet: &Polygon) -> bool {
+        let matrix = self.format.matrix();
+        packet.bounds.contains(self.x * matrix.columns() + self.column, self.y * matrix.rows() + self.row)
+    }
+
     /// Whether a packet may cover a window.
     pub fn may_cover(&self, packet: &Polygon, square: Square) -> bool {
         packet.edges.iter().all(|edge| self.greatest(edge, square) >= 0)

@@ -62,8 +62,8 @@ impl Packets {
                     format!("{processor}.packets"),
                 ),
                 place(
-                    format!("queue of video processor {number}"),
-                    "fifo",
+                    format!("wire to the set-up of video processor {number}"),
+                    "video-processor",
                     "passes the packet to the set-up",
                     format!("{processor}.u_set_up.packets"),
                 ),
@@ -71,13 +71,6 @@ impl Packets {
             roots: Windows::of(&format!("{processor}.u_set_up.roots"), &followed.format),
             made: 0,
         }
-    }
-
-    /// Whether the packet's bounds contain the pixel, so that its way is told.
-    fn is_told(&self, packet: &Polygon) -> bool {
-        let matrix = self.followed.format.matrix();
-        let Followed { x, y, column, row, .. } = self.followed;
-        packet.bounds.contains(x * matrix.columns() + column, y * matrix.rows() + row)
     }
 
     /// Looks before an edge. Returns whether a packet passes.
@@ -114,7 +107,7 @@ impl Packets {
             }),
         };
         let place = &self.places[number];
-        let is_told = number == 0 && packet.is_some_and(|it| self.is_told(it));
+        let is_told = number == 0 && packet.is_some_and(|it| self.followed.is_told(it));
         if is_told || wrong.is_some() {
             let primitive = packet.map(|_| place.passed - 1);
             let check = if number == 0 { "broadcast" } else { "packets" };
@@ -130,8 +123,31 @@ impl Packets {
         }
     }
 
+    /// Compares the constants that say where the video processor's samples are.
+    fn places(&self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+        let Followed { format, column, row, processor, .. } = &self.followed;
+        let place = format.place_of(*column, *row);
+        let golden = [place.left, place.top, place.right, place.bottom];
+        for (path, block) in [("", "quadtree-generator"), (".u_set_up", "video-processor")] {
+            for (end, golden) in ["left", "top", "right", "bottom"].iter().zip(golden) {
+                let name = format!("u_processor[{processor}]{path}.place_{end}");
+                let value = sim.peek(&name).unwrap_or_else(|unknown| panic!("{unknown}"));
+                let golden = golden as u64 & ((1 << value.width()) - 1);
+                let value = value.to_u64().unwrap_or_default();
+                if value != golden {
+                    told.check("place", 0, false, || {
+                        let at = At { unit: format!("wire to `{name}`"), block, edge };
+                        at.step("gives the place of the samples", vec![compared("value", value, golden)]).on(&name)
+                    });
+                    return;
+                }
+            }
+        }
+    }
+
     /// The set-up puts out the window of all samples.
     fn makes(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+        self.places(sim, edge, told);
         let number = self.made;
         self.made += 1;
         let at = || At { unit: "set-up".to_owned(), block: "quadtree-set-up", edge };
@@ -142,7 +158,7 @@ impl Packets {
         };
         let golden = self.followed.fields(packet, self.followed.square(self.followed.format.levels()));
         let values = self.roots.compare(sim, &golden);
-        let is_told = self.is_told(packet);
+        let is_told = self.followed.is_told(packet);
         if is_told || values.iter().any(|it| it.differs()) {
             told.check("root", 0, is_told, || {
                 at().step("makes the window of all samples", values).of(Some(number)).on(&self.roots.valid)

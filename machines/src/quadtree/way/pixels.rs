@@ -156,7 +156,7 @@ impl Pixels {
             let values = values.unwrap_or_else(|| vec![compared("window", "another one", "nothing")]);
             if values.iter().any(|it| it.differs()) {
                 told.check("leaf", 0, false, || {
-                    let at = At { unit: "raster processor".to_owned(), block: "raster-processor", edge };
+                    let at = At { unit: "wire to the pixel processor".to_owned(), block: "video-processor", edge };
                     at.step("passes a window of one sample on", values).of(packet).on(&self.leaves.valid)
                 });
             }
@@ -166,12 +166,13 @@ impl Pixels {
         self.taken = Some(Leaf { x: square.x, y: square.y, word, packet });
     }
 
-    /// Drawing ends.
-    pub fn ends(&self, edge: Edge, told: &mut Told) {
+    /// Drawing ends. Returns whether all windows have come.
+    pub fn ends(&self, edge: Edge, told: &mut Told) -> bool {
         if self.next < self.polygons.len() {
             let does = "passes a window of one sample on".to_owned();
             let step = nothing("raster processor".to_owned(), "raster-processor", edge, does, "a window");
             told.tell(step.of(Some(self.next)).on(&self.leaves.valid));
         }
+        self.next >= self.polygons.len()
     }
 }

@@ -7,8 +7,37 @@ use tilewright_scenes::Polygon;
 
 use super::nets::Windows;
 use super::numbers::Square;
+use super::queue::Queue;
+use super::sequence::{Passage, Sequence};
 use super::{Followed, Sim, net, nothing};
 use crate::told::{At, Edge, Told, compared, yes};
+
+/// A part of the windows' way.
+pub(super) enum Link {
+    Passage(Passage),
+    Queue(Queue),
+    Unit(Box<Unit>),
+}
+
+impl Link {
+    /// Looks before an edge.
+    pub fn look(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+        match self {
+            Link::Passage(it) => it.look(sim, edge, told),
+            Link::Queue(it) => it.look(sim, edge, told),
+            Link::Unit(it) => it.look(sim, edge, told),
+        }
+    }
+
+    /// Drawing ends. Returns whether everything has come and gone.
+    pub fn ends(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) -> bool {
+        match self {
+            Link::Passage(_) => true,
+            Link::Queue(it) => it.ends(sim, edge, told),
+            Link::Unit(it) => it.ends(sim, edge, told),
+        }
+    }
+}
 
 /// A unit that divides windows which may contain the sample.
 pub(super) struct Unit {
@@ -16,12 +45,10 @@ pub(super) struct Unit {
     polygons: Rc<[Polygon]>,
     number: u32,
     name: String,
-    /// What brings windows to it, with its block.
-    before: (String, &'static str),
-    /// The greatest and the least size of its windows.
-    sizes: [u32; 2],
-    /// The next window of the sample: the number of its packet, and its size.
-    next: (usize, u32),
+    /// The block that brings windows to it.
+    before: &'static str,
+    /// The windows of the sample that come.
+    sequence: Sequence,
     works: Windows,
     parts: Windows,
     ends_quarter: String,
@@ -38,58 +65,64 @@ struct Divided {
     is_tested: bool,
 }
 
-/// The units of the followed sample, in the sequence in which its windows pass them.
-pub(super) fn of(followed: &Followed, form: &Form, polygons: &Rc<[Polygon]>) -> Vec<Unit> {
-    let raster = format!("u_processor[{}].u_raster", followed.processor);
+/// What makes links: the followed sample, and the polygons.
+type Of<'a> = (&'a Followed, &'a Rc<[Polygon]>);
+
+/// The way of the followed sample's windows from the set-up to the pixel processor.
+pub(super) fn of(followed: &Followed, form: &Form, polygons: &Rc<[Polygon]>) -> Vec<Link> {
+    let processor = format!("u_processor[{}]", followed.processor);
+    let raster = format!("{processor}.u_raster");
     let mut from = followed.format.levels();
-    let mut units: Vec<Unit> = Vec::new();
-    let mut add = |path: String, sizes: [u32; 2], before: &'static str| {
-        let level = followed.format.levels() - sizes[0] + 1;
-        let levels = if sizes[0] == sizes[1] {
-            format!("level {level}")
-        } else {
-            format!("levels {level} to {}", followed.format.levels() - sizes[1] + 1)
-        };
-        let number = units.len() as u32;
-        units.push(Unit {
-            followed: followed.clone(),
-            polygons: polygons.clone(),
-            number,
-            before: (format!("queue before {levels}"), before),
-            name: format!("coverage test of {levels}"),
-            sizes,
-            next: (0, sizes[0]),
-            works: Windows::of(&format!("{path}.works"), &followed.format),
-            parts: Windows::of(&format!("{path}.parts"), &followed.format),
-            ends_quarter: format!("{path}.ends_quarter"),
-            fails: format!("{path}.fails"),
-            quarter: format!("{path}.number"),
-            divides: None,
-        });
+    let mut links: Vec<Link> =
+        vec![Link::Queue(Queue::new(0, "u_queue")), Link::Queue(Queue::new(1, &format!("{processor}.u_queue")))];
+    let passage = |links: &mut Vec<Link>, port: String, block: &'static str, size: u32| {
+        let unit = format!("wire to `{port}`");
+        let passage = Passage::new((links.len() as u32, &port), (&unit, block), size, (followed, polygons));
+        links.push(Link::Passage(passage));
     };
+    passage(&mut links, format!("{raster}.works"), "video-processor", from);
     for (number, part) in form.parts().iter().enumerate() {
-        match *part {
-            Part::Stack(levels) => {
-                add(format!("{raster}.u_stack{number}.u_test"), [from, from - levels + 1], "quadtree-stack");
-            }
-            Part::Pipe(levels) => (0..levels).for_each(|level| {
-                let size = from - level;
-                add(format!("{raster}.u_pipe{number}.u_test{level}"), [size; 2], "fifo");
-            }),
-            Part::Tree(levels) => {
-                let mut path = format!("{raster}.u_tree{number}");
-                for level in 0..levels {
-                    let size = from - level;
-                    add(format!("{path}.u_test"), [size; 2], if level == 0 { "fifo" } else { "quadtree-tree" });
-                    path += &format!(".u_branch[{}]", followed.quarter(size));
-                }
+        let (name, block) = match part {
+            Part::Stack(_) => ("stack", "quadtree-stack"),
+            Part::Pipe(_) => ("pipe", "quadtree-pipe"),
+            Part::Tree(_) => ("tree", "quadtree-tree"),
+        };
+        let path = format!("{raster}.u_{name}{number}");
+        passage(&mut links, format!("{path}.works"), "raster-processor", from);
+        let inner = units(&path, (*part, block), from, (followed, polygons), links.len() as u32);
+        links.extend(inner);
+        from -= part.levels();
+        passage(&mut links, format!("{path}.parts"), block, from);
+    }
+    passage(&mut links, format!("{raster}.parts"), "raster-processor", 0);
+    links
+}
+
+/// The queues and the units of a part, whose windows have at most that size.
+fn units(path: &str, (part, block): (Part, &'static str), from: u32, of: Of, first: u32) -> Vec<Link> {
+    let mut links = Vec::new();
+    let mut add = |queue: Option<String>, unit: String, sizes: [u32; 2]| {
+        let number = first + links.len() as u32;
+        links.extend(queue.map(|queue| Link::Queue(Queue::new(number, &queue))));
+        links.push(Link::Unit(Box::new(Unit::new((number, unit), block, sizes, of))));
+    };
+    match part {
+        Part::Stack(levels) => add(None, format!("{path}.u_test"), [from, from - levels + 1]),
+        Part::Pipe(levels) => {
+            for level in 0..levels {
+                let [queue, unit] = ["queue", "test"].map(|it| format!("{path}.u_{it}{level}"));
+                add(Some(queue), unit, [from - level; 2]);
             }
         }
-        from -= part.levels();
+        Part::Tree(levels) => {
+            let mut path = path.to_owned();
+            for size in (from + 1 - levels..=from).rev() {
+                add(Some(format!("{path}.u_queue")), format!("{path}.u_test"), [size; 2]);
+                path += &format!(".u_branch[{}]", of.0.quarter(size));
+            }
+        }
     }
-    let mut units = units;
-    units.iter_mut().for_each(Unit::seek);
-    units
+    links
 }
 
 impl Followed {
@@ -100,23 +133,28 @@ impl Followed {
 }
 
 impl Unit {
-    /// Whether the window of that size comes to it: all larger ones passed their tests.
-    fn comes(&self, packet: usize, size: u32) -> bool {
-        let passes = |size: u32| self.followed.may_cover(&self.polygons[packet], self.followed.square(size));
-        (size..self.followed.format.levels()).all(passes)
-    }
-
-    /// Goes on to the next window that comes to it, from the current one on.
-    fn seek(&mut self) {
-        while self.next.0 < self.polygons.len() && !self.comes(self.next.0, self.next.1) {
-            self.next = (self.next.0 + 1, self.sizes[0]);
+    fn new((number, path): (u32, String), before: &'static str, sizes: [u32; 2], of: Of) -> Unit {
+        let (followed, polygons) = of;
+        let levels = followed.format.levels();
+        let level = |size: u32| levels - size + 1;
+        let name = match sizes {
+            [most, least] if most == least => format!("level {}", level(most)),
+            [most, least] => format!("levels {} to {}", level(most), level(least)),
+        };
+        Unit {
+            followed: followed.clone(),
+            polygons: polygons.clone(),
+            number,
+            before,
+            name: format!("coverage test of {name}"),
+            sequence: Sequence::new(followed, polygons, sizes),
+            works: Windows::of(&format!("{path}.works"), &followed.format),
+            parts: Windows::of(&format!("{path}.parts"), &followed.format),
+            ends_quarter: format!("{path}.ends_quarter"),
+            fails: format!("{path}.fails"),
+            quarter: format!("{path}.number"),
+            divides: None,
         }
-    }
-
-    fn advance(&mut self) {
-        let (packet, size) = self.next;
-        self.next = if size > self.sizes[1] { (packet, size - 1) } else { (packet + 1, self.sizes[0]) };
-        self.seek();
     }
 
     fn at(&self, edge: Edge) -> At {
@@ -146,24 +184,21 @@ impl Unit {
 
     /// It takes a window with the sample.
     fn takes(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
-        let (packet, size) = self.next;
-        let (unit, block) = self.before.clone();
-        let at = || At { unit, block, edge };
-        let Some(polygon) = self.polygons.get(packet) else {
-            told.check("works", self.number, false, || {
-                at().step("brings a window", vec![compared("window", "another one", "nothing")]).on(&self.works.valid)
-            });
-            return;
+        let packet = self.sequence.packet();
+        let values = match packet {
+            Some(packet) => self.works.compare(sim, &self.sequence.fields(packet)),
+            None => vec![compared("window", "another one", "nothing")],
         };
-        let square = self.followed.square(size);
-        let values = self.works.compare(sim, &self.followed.fields(polygon, square));
         if values.iter().any(|it| it.differs()) {
             told.check("works", self.number, false, || {
-                at().step("brings a window", values).of(Some(packet)).on(&self.works.valid)
+                let at = At { unit: format!("way to the {}", self.name), block: self.before, edge };
+                at.step("brings a window", values).of(packet).on(&self.works.valid)
             });
         }
-        self.divides = Some(Divided { packet, square, is_tested: false });
-        self.advance();
+        if let Some(packet) = packet {
+            self.divides = Some(Divided { packet, square: self.sequence.square(), is_tested: false });
+            self.sequence.advance();
+        }
     }
 
     /// A quarter has failed, or is put out.
@@ -189,7 +224,9 @@ impl Unit {
             values.extend(self.parts.compare(sim, &self.followed.fields(polygon, square)));
         }
         let step = self.at(edge).step(format!("tests the quarter of {0}x{0} samples", 1 << size), values);
-        told.tell(step.of(Some(packet)).on(&self.fails));
+        if step.differs() || self.followed.is_told(polygon) {
+            told.tell(step.of(Some(packet)).on(&self.fails));
+        }
     }
 
     /// Drawing ends. Returns whether all windows have come and been tested.
@@ -198,13 +235,11 @@ impl Unit {
             self.never_tests(edge, &lost, told);
             return false;
         }
-        let (packet, _) = self.next;
-        if packet >= self.polygons.len() {
-            return true;
-        }
-        let waits = net(sim, &self.works.valid) == 1;
+        let Some(packet) = self.sequence.packet() else { return true };
         // A window that waits is not taken; else it was lost on the way.
-        let (unit, block) = if waits { (self.name.clone(), "coverage-test") } else { self.before.clone() };
+        let waits = net(sim, &self.works.valid) == 1;
+        let way = (format!("way to the {}", self.name), self.before);
+        let (unit, block) = if waits { (self.name.clone(), "coverage-test") } else { way };
         let step = nothing(unit, block, edge, "brings a window".to_owned(), "a window");
         told.tell(step.of(Some(packet)).on(&self.works.valid));
         false

@@ -92,7 +92,7 @@ impl Drawing {
             taken: 0,
             front: 0,
             look_up: None,
-            image: Image::new(number, &nets.unit, &patches),
+            image: Image::new(number, &nets.unit, &machine.lfb),
             cleared: false,
             ended: false,
             nets,

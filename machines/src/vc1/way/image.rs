@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, VecDeque};
 
-use tilewright_rtl::lfb::Patches;
+use tilewright_rtl::lfb::LfbUnit;
 
 use super::drawing::Drawn;
 use super::{Sim, net, pe, word};
@@ -20,6 +20,8 @@ const HAS_WRITTEN: u64 = 4;
 pub(super) struct Image {
     number: u32,
     offset_bits: u32,
+    /// The words of the memory.
+    depth: u32,
     /// The words that are not empty, by address.
     words: HashMap<u32, u64>,
     under_way: VecDeque<Access>,
@@ -47,7 +49,7 @@ struct Nets {
 
 impl Image {
     /// One of the local frame buffer with that number and instance.
-    pub fn new(number: u32, unit: &str, patches: &Patches) -> Image {
+    pub fn new(number: u32, unit: &str, lfb: &LfbUnit) -> Image {
         let image = |name: &str| format!("{unit}.u_image_memory.{name}");
         let nets = Nets {
             draw: ["page", "offset", "word"].map(|it| image(&format!("draw_{it}"))),
@@ -56,8 +58,9 @@ impl Image {
             address: image("drawn_address"),
             words: image("words"),
         };
-        let offset_bits = patches.pixels().ilog2();
-        Image { number, offset_bits, words: HashMap::new(), under_way: VecDeque::new(), nets }
+        let offset_bits = lfb.patches.pixels().ilog2();
+        let depth = 2 * lfb.pages * lfb.patches.pixels();
+        Image { number, offset_bits, depth, words: HashMap::new(), under_way: VecDeque::new(), nets }
     }
 
     fn at(&self, unit: &str, block: &'static str, clock: u64) -> At {
@@ -144,7 +147,8 @@ impl Image {
         let Access { drawn: (_, is_followed, primitive), address, word: new, old, .. } = *access;
         let expected = self.word(address);
         let nearer = expected.min(new);
-        let stays = word(sim, &self.nets.words, address);
+        // An address may be outside of the memory, after a unit before this one has failed.
+        let stays = if address < self.depth { word(sim, &self.nets.words, address) } else { nearer };
         let old = old.unwrap_or_default();
         if is_followed || (old, stays) != (expected, nearer) {
             told.check("stays", self.number, is_followed, || {

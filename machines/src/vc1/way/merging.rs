@@ -1,6 +1,7 @@
 //! The merger: the scan, the rounds in which the pixel passes the chain, and the swap of the global frame buffer.
 
 use tilewright_rtl::lfb::ScanCounter;
+use tilewright_rtl::merger::STAGES;
 use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::Vc1;
 
@@ -20,6 +21,8 @@ pub(super) struct Merging {
     banks: Banks,
     /// The rounds in which the pixel is under way, the oldest first.
     rounds: Vec<Round>,
+    /// Clocks with `enable` since the last restart; the first one comes with the reset.
+    scanned: u64,
     /// The scan in the clock before.
     scan: Option<Scan>,
     /// By local frame buffer, the clock of the last swap.
@@ -64,6 +67,7 @@ impl Merging {
                 way_left: swap.way,
             },
             rounds: Vec::new(),
+            scanned: 0,
             scan: None,
             swapped: vec![0; machine.processors as usize],
             clock: 0,
@@ -98,6 +102,10 @@ impl Merging {
         self.sequencer.edge(restart);
         self.wires(sim, edge, seen, told);
         let before = self.scan.replace(seen);
+        if let Some(it) = before {
+            self.scanned = if it.restart { 0 } else { self.scanned + u64::from(it.enable) };
+        }
+        self.counts(sim, edge, told);
         if before.is_some_and(|it| it.enable && !it.restart) {
             for round in &mut self.rounds {
                 round.advance();
@@ -119,6 +127,34 @@ impl Merging {
         }
         if self.banks.look(sim, edge, (seen.enable, restart), told) {
             self.frames = self.frames.saturating_sub(1);
+        }
+    }
+
+    /// Looks at one of the scan counters, in each clock at another one.
+    fn counts(&self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+        self.count(sim, edge, edge.number % u64::from(self.processors), told);
+    }
+
+    /// Looks at all scan counters where the run failed.
+    pub fn fails(&self, sim: &mut Sim, told: &mut Told) {
+        (0..self.processors).for_each(|number| self.count(sim, merge(self.clock), number.into(), told));
+    }
+
+    fn count(&self, sim: &mut Sim, edge: Edge, number: u64, told: &mut Told) {
+        let scanned = self.scanned;
+        let [width, pixels] = [self.screen.width, self.screen.pixels()].map(u64::from);
+        let behind = u64::from(STAGES) * number;
+        let pixel = (scanned + pixels - behind % pixels) % pixels;
+        let names = ["pixel_x", "pixel_y", "armed"].map(|it| format!("u_lfb[{number}].u_scan_counter.{it}"));
+        let values = [0, 1, 2].map(|i| net(sim, &names[i]));
+        let expected = [pixel % width, pixel / width, u64::from(scanned >= behind)];
+        if values != expected {
+            told.check("scan counter", 0, false, || {
+                let shown = |[x, y, armed]: [u64; 3]| format!("{x},{y}{}", if armed == 1 { "" } else { ", not sent" });
+                let at = At { unit: format!("scan counter of PE {number}"), block: "scan-counter", edge };
+                at.step("shows the pixel to send", vec![compared("pixel", shown(values), shown(expected))])
+                    .on(&names[0])
+            });
         }
     }
 

@@ -11,6 +11,7 @@ mod round;
 mod sequencer;
 mod showing;
 mod swaps;
+mod wires;
 
 use std::sync::Arc;
 
@@ -31,6 +32,7 @@ use drawing::Drawing;
 use merging::Merging;
 use showing::Showing;
 use swaps::Swaps;
+use wires::Wires;
 
 /// The simulation that is observed.
 type Sim = Simulation<Vc1In, Vc1Out>;
@@ -60,6 +62,7 @@ pub(crate) struct Following {
     bus: Bus,
     swaps: Swaps,
     merging: Merging,
+    wires: Wires,
     showing: Showing,
 }
 
@@ -83,6 +86,7 @@ impl Following {
             bus: Bus::new(machine.processors),
             swaps: Swaps::new(machine),
             merging: Merging::new(machine, followed, blank(background)),
+            wires: Wires::new(machine),
             showing: Showing::new(machine, followed),
         }
     }
@@ -135,6 +139,7 @@ impl Following {
                 _ => {}
             }
         }
+        self.wires.look(sim, clock, &mut self.told);
         let is_done = is_done && self.bus.is_empty();
         self.swaps.before(sim, clock, is_done, &mut self.told);
     }
@@ -176,7 +181,8 @@ impl Following {
     }
 
     /// Notes what ended the run.
-    pub fn fails(&mut self, error: &Error) {
+    pub fn fails(&mut self, sim: &mut Sim, error: &Error) {
+        self.merging.fails(sim, &mut self.told);
         if let Error::Differs { unit, signal, clock, seen, expected } = error
             && !self.told.differs()
         {
