@@ -211,9 +211,10 @@ pub use tilewright_hdl::{Bits, Bundle};
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
-    Answer, Batch, Cause, Checkpoint, CheckpointError, Condition, Covered, End, Error, Fst, IntoValue, Limits, Message,
-    Messages, Monitor, Part, Pauses, Port, Probe, Process, Processes, Recorder, Simulation, StateDifference, Testbench,
-    Trace, UnknownName, Unremembered, Unrepeated, Vcd, Violation, Wave, WaveLine, WaveLines, WaveRadix, monitor,
+    Answer, Batch, Cause, Checkpoint, CheckpointError, Condition, Covered, End, Error, Fst, IntoValue, Limits, Memory,
+    Message, Messages, Monitor, Nets, Part, Pauses, Port, Probe, Process, Processes, Recorder, Simulation,
+    StateDifference, Testbench, Trace, UnknownName, Unremembered, Unrepeated, Vcd, Violation, Wave, WaveLine,
+    WaveLines, WaveRadix, monitor,
 };
 #[doc(hidden)]
 pub use testbench::{Traced, example, for_examples, traced};

@@ -12,6 +12,7 @@ mod example;
 pub mod for_examples;
 mod instants;
 mod lookup;
+mod nets;
 mod past;
 mod peek;
 mod play;
@@ -36,6 +37,7 @@ pub use covers::Covered;
 pub use error::{Error, UnknownName, Violation};
 #[doc(hidden)]
 pub use example::{Traced, example, traced};
+pub use nets::{Memory, Nets};
 pub use past::Unremembered;
 pub use port::{IntoValue, Port};
 pub use processes::{Answer, Monitor, Pauses, Process, Processes, Testbench, monitor};
