@@ -10,6 +10,7 @@ mod random;
 mod run;
 mod threads;
 mod told;
+mod trail;
 pub mod vc1;
 mod way;
 

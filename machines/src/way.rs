@@ -23,7 +23,6 @@ impl Follower {
         self.way.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 
-    #[allow(dead_code)]
     pub(crate) fn put(&self, way: Way) {
         *self.way.lock().unwrap_or_else(PoisonError::into_inner) = Some(way);
     }

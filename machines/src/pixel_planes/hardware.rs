@@ -7,6 +7,7 @@ use tilewright_rtl::pixel_planes::renderer::{Renderer, RendererIn, RendererOut};
 use tilewright_rtl::pixel_planes::{PERIOD, fields};
 use tilewright_sim::{EngineKind, IntoValue, Simulation};
 
+use super::following::{Observer, Pictured};
 use super::model::RendererTiming;
 use crate::error::Error;
 
@@ -46,6 +47,7 @@ impl Course<'_> {
         engine: EngineKind,
         side_by_side: bool,
         go_on: &dyn Fn(usize, u64) -> Result<(), Error>,
+        mut observer: Option<&mut Observer>,
     ) -> Result<Vec<impl IntoValue + Send + use<>>, Error> {
         const LOOK: usize = 512;
         let mut sim = Simulation::at(renderer, PERIOD)?.on(engine);
@@ -61,7 +63,7 @@ impl Course<'_> {
                 done.clock = event;
             }
             let clock = done.clock;
-            self.compare(&mut sim, renderer, &done)?;
+            let mut is_right = self.compare(&mut sim, renderer, &done);
             let is_now = |clocks: &[u64], number: usize| clocks.get(number) == Some(&clock);
             let arrives = is_now(&self.timing.arrived, done.arrived);
             if arrives {
@@ -70,11 +72,18 @@ impl Course<'_> {
             sim.set(sim.i.instructions.valid, arrives);
             let goes = is_now(&self.timing.planes, done.planes);
             if goes {
-                self.compare_plane(&mut sim, renderer, &done)?;
+                is_right = is_right.and_then(|()| self.compare_plane(&mut sim, renderer, &done));
                 sent.push(sim.get(sim.o.planes.payload.bits));
             }
             sim.set(sim.o.planes.ready, goes);
-            sim.try_step()?;
+            if let Some(observer) = &mut observer {
+                observer.look(&mut sim, clock);
+            }
+            is_right = is_right.and_then(|()| Ok(sim.try_step()?));
+            if let (Err(error), Some(observer)) = (&is_right, &mut observer) {
+                observer.fail(clock, error);
+            }
+            is_right?;
 
             if is_now(&self.timing.taken, done.taken) {
                 done.ended = done.ended.max(self.timing.ended[done.taken] + 1);
@@ -155,7 +164,7 @@ impl Course<'_> {
 }
 
 /// Puts an instruction at a renderer's port.
-fn show(sim: &mut Simulation<RendererIn, RendererOut>, instruction: &Instruction<u64>) {
+pub(super) fn show(sim: &mut Simulation<RendererIn, RendererOut>, instruction: &Instruction<u64>) {
     let port = sim.i.instructions.payload;
     sim.set(port.operation, instruction.operation);
     sim.set(port.skip, instruction.skip);
@@ -181,13 +190,14 @@ impl Frames {
         Ok(Frames { sim })
     }
 
-    /// Writes the planes of a line to their place; each takes a clock.
+    /// Writes the planes of a line to their place; each takes a clock. A followed pixel is looked at, with the clock of the last plane.
     pub fn put(
         &mut self,
-        region: usize,
-        line: usize,
+        (region, line): (usize, usize),
         planes: impl Iterator<Item = impl IntoValue>,
+        pictured: Option<(&mut Pictured, u64)>,
     ) -> Result<(), Error> {
+        let mut word = 0;
         let port = self.sim.i.planes.payload;
         self.sim.set(port.region, region as u64);
         self.sim.set(port.line, line as u64);
@@ -195,9 +205,16 @@ impl Frames {
         for (plane, bits) in planes.enumerate() {
             self.sim.set(port.plane, plane as u64);
             self.sim.set(port.bits, bits);
+            if let Some((pictured, _)) = &pictured {
+                word |= pictured.bit(&mut self.sim) << plane;
+            }
             self.sim.try_step()?;
         }
         self.sim.set(self.sim.i.planes.valid, false);
+        if let Some((pictured, clock)) = pictured {
+            let came = pictured.is_here(region, line).then_some(word);
+            pictured.look(&self.sim, clock, came);
+        }
         Ok(())
     }
 

@@ -4,16 +4,20 @@
 //! simulated separately, on all processors of the computer. It gets its instructions and gives its planes in the clocks of the model, and all its
 //! outputs are compared with the model's. Then the frame buffer gets the lines in the sequence in which the ring brings them.
 
+use std::sync::{Mutex, PoisonError};
+
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixel_planes::{PERIOD, fields};
+use tilewright_scenes::golden::Rule;
 use tilewright_scenes::{Frame, PixelBox, Polygons};
 use tilewright_sim::{EngineKind, IntoValue};
 
 use super::bin::{Bin, Work, bins};
 use super::config::Config;
+use super::following::{self, Followed, Observer, Pictured};
 use super::geometry::GeometryReport;
 use super::hardware::{Course, Frames};
-use super::history::Scene;
+use super::history;
 use super::model::{Model, RendererTiming, Step, Timing};
 use super::regions::Regions;
 use super::report::Report;
@@ -21,6 +25,7 @@ use crate::error::Error;
 use crate::history::Recorder;
 use crate::run::Watch;
 use crate::threads::{Heard, all_threads, on_threads_heard};
+use crate::way::Follower;
 
 /// The name of a frame in progress and errors.
 const PHASE: &str = "drawing";
@@ -45,6 +50,7 @@ pub struct Machine {
     pub(super) config: Config,
     engine: EngineKind,
     recorder: Option<Recorder>,
+    follower: Option<Follower>,
 }
 
 impl Machine {
@@ -57,7 +63,7 @@ impl Machine {
         config.ring()?;
         config.frame_buffer()?;
         config.check_geometry()?;
-        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None })
+        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None, follower: None })
     }
 
     /// The same on another engine.
@@ -69,6 +75,27 @@ impl Machine {
     /// instruction of its primitive has ended.
     pub fn recorded(self, recorder: &Recorder) -> Machine {
         Machine { recorder: Some(recorder.clone()), ..self }
+    }
+
+    /// The same machine with a follower of a pixel. Times are counted as those of a recorder. The steps are those of the pixel's renderer, of the
+    /// ring and of the frame buffer.
+    ///
+    /// ```
+    /// use tilewright_machines::{Follower, Watch, pixel_planes::{Config, Machine}};
+    /// use tilewright_scenes::{Scene, Size, project_polygons};
+    ///
+    /// let scene = Scene::builtin("star").expect("a built-in scene");
+    /// let polygons = project_polygons(&scene, Size::new(48, 32)?)?;
+    /// let follower = Follower::new([24, 16]);
+    /// let machine = Machine::new(Config { renderers: 2, side: 16, ..Config::new(polygons.size) })?.following(&follower);
+    /// machine.render(&polygons, scene.background, &mut Watch::default())?;
+    /// let way = follower.take().expect("a frame was rendered");
+    /// assert!(way.first_difference().is_none() && way.steps.iter().any(|step| step.block == "linear-tree"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn following(mut self, follower: &Follower) -> Machine {
+        self.follower = Some(follower.clone());
+        self
     }
 
     /// Renders a frame. Returns the picture in the frame buffer, and the report.
@@ -84,13 +111,19 @@ impl Machine {
         let regions = self.config.regions()?;
         let works = self.works(&regions, polygons, background)?;
         let timing = self.timing_of(&works)?;
-        let sent = self.simulate(&works, &timing, watch)?;
-        let frame = self.frame(&regions, &works, &timing, sent)?;
+        let mut followed = self.followed(&regions, &works, &timing)?;
+        let frame = self.draw(&regions, &works, &timing, followed.as_mut(), watch);
+        if let (Some(follower), Some(followed)) = (&self.follower, followed) {
+            let rule = if self.config.strict { Rule::Strict } else { Rule::Least };
+            let scene = following::Scene { polygons, rule, background, pixel: follower.pixel };
+            follower.put(followed.into_way(scene, frame.as_ref().ok()));
+        }
+        let frame = frame?;
         watch.report(PHASE, 1.0);
         let Config { geometry, costs, .. } = &self.config;
         let geometry = GeometryReport::new(*geometry, costs, polygons, &works);
         if let Some(recorder) = &self.recorder {
-            let scene = Scene { config: &self.config, regions: &regions, polygons, background };
+            let scene = history::Scene { config: &self.config, regions: &regions, polygons, background };
             recorder.put(scene.history(&works, &timing, geometry.clocks));
         }
         let primitives = polygons.polygons.len() + polygons.spheres.len();
@@ -151,11 +184,43 @@ impl Machine {
         Ok(Model::new(&self.config)?.run(&steps))
     }
 
+    /// What is found of the pixel that is followed.
+    fn followed<'a>(
+        &self,
+        regions: &Regions,
+        works: &'a [Work],
+        timing: &Timing,
+    ) -> Result<Option<Followed<'a>>, Error> {
+        let size = self.config.size;
+        let is_there = |[x, y]: [u32; 2]| x < size.width() && y < size.height();
+        let Some(pixel) = self.follower.as_ref().map(|follower| follower.pixel).filter(|pixel| is_there(*pixel)) else {
+            return Ok(None);
+        };
+        Ok(Followed::new(&self.config, self.config.renderer()?, regions, works, timing, pixel))
+    }
+
+    fn draw(
+        &self,
+        regions: &Regions,
+        works: &[Work],
+        timing: &Timing,
+        followed: Option<&mut Followed>,
+        watch: &mut Watch,
+    ) -> Result<Frame, Error> {
+        let (observed, pictured) = match followed {
+            Some(Followed { number, observer, pictured, .. }) => (Some((*number, observer)), Some(pictured)),
+            None => (None, None),
+        };
+        let sent = self.simulate(works, timing, observed, watch)?;
+        self.frame(regions, works, timing, sent, pictured)
+    }
+
     /// The planes of each renderer that has a region.
     fn simulate(
         &self,
         works: &[Work],
         timing: &Timing,
+        observed: Option<(usize, &mut Observer)>,
         watch: &mut Watch,
     ) -> Result<Vec<Vec<impl IntoValue + use<>>>, Error> {
         let renderer = self.config.renderer()?;
@@ -168,13 +233,17 @@ impl Machine {
         let (mut seen, mut last) = (0, 0);
         let Watch { progress, cancel } = watch;
         let cancel = *cancel;
+        let observed = observed.map(|(number, observer)| (number, Mutex::new(observer)));
         let work = |course: &Course, say: &dyn Fn((u64, u64))| {
             let go_on = |handshakes: usize, clock: u64| {
                 say((handshakes as u64, clock));
                 let time = clock * PERIOD.picoseconds();
                 Watch { progress: None, cancel }.go_on(PHASE, 0.0, time)
             };
-            (course.number, course.run(&renderer, self.engine, self.config.side_by_side, &go_on))
+            let observed = observed.as_ref().filter(|(number, _)| *number == course.number);
+            let mut observer = observed.map(|(_, it)| it.lock().unwrap_or_else(PoisonError::into_inner));
+            let observer = observer.as_mut().map(|it| &mut ***it);
+            (course.number, course.run(&renderer, self.engine, self.config.side_by_side, &go_on, observer))
         };
         on_threads_heard(all_threads(), &courses, cancel, work, |heard| match heard {
             Heard::Said((handshakes, clock)) => {
@@ -195,6 +264,7 @@ impl Machine {
         works: &[Work],
         timing: &Timing,
         sent: Vec<Vec<impl IntoValue>>,
+        mut pictured: Option<&mut Pictured>,
     ) -> Result<Frame, Error> {
         let (side, word) = (self.config.side as usize, fields::WORD.bits as usize);
         let mut lines = Vec::new();
@@ -207,8 +277,10 @@ impl Machine {
         lines.sort_unstable();
         let mut sent: Vec<_> = sent.into_iter().map(Vec::into_iter).collect();
         let mut frames = Frames::new(&self.config.frame_buffer()?, self.engine)?;
-        for (_, number, region, line) in lines {
-            frames.put(region, line, sent[number].by_ref().take(word))?;
+        for (clock, number, region, line) in lines {
+            let last = clock + word as u64 - 1;
+            let pictured = pictured.as_deref_mut();
+            failing(pictured, last, |it| frames.put((region, line), sent[number].by_ref().take(word), it))?;
         }
         let size = self.config.size;
         let mut words = vec![0; size.pixels()];
@@ -217,11 +289,29 @@ impl Machine {
             for y in top..=bottom {
                 let first = (y * size.width() + left) as usize;
                 let line = &mut words[first..=first + (right - left) as usize];
-                line.copy_from_slice(&frames.line(region, y - top)?[..line.len()]);
+                let clock = timing.sent + u64::from(y) + 1;
+                let read = failing(pictured.as_deref_mut(), clock, |_| frames.line(region, y - top))?;
+                line.copy_from_slice(&read[..line.len()]);
+                if let Some(pictured) = pictured.as_deref_mut().filter(|it| it.is_here(region, (y - top) as usize)) {
+                    pictured.read(clock, &read);
+                }
             }
         }
         Ok(Frame::from_words(size, words).expect("a word of 48 bits was read for each pixel"))
     }
+}
+
+/// What a work with the frame buffer gives. If it fails, the follower of a pixel gets that.
+fn failing<T>(
+    mut pictured: Option<&mut Pictured>,
+    clock: u64,
+    work: impl FnOnce(Option<(&mut Pictured, u64)>) -> Result<T, Error>,
+) -> Result<T, Error> {
+    let result = work(pictured.as_deref_mut().map(|it| (it, clock)));
+    if let (Err(error), Some(pictured)) = (&result, pictured) {
+        pictured.fail(clock, error);
+    }
+    result
 }
 
 /// The work of a renderer.

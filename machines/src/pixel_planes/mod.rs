@@ -19,6 +19,7 @@ mod bin;
 mod clocks;
 mod config;
 mod drawing;
+mod following;
 mod formulas;
 mod geometry;
 mod hardware;

@@ -1,0 +1,148 @@
+//! The steps of a way while it is found: what a unit does, and where a plain model of it differs.
+
+use std::fmt::Display;
+
+use tilewright_sim::{Bundle, Error, Nets, Simulation};
+
+use crate::way::{Compared, Step};
+
+/// Differences of a unit that are kept: the first ones say all.
+const DIFFERENCES: usize = 3;
+
+/// A unit whose steps are found, and how many of them differed.
+#[derive(Clone, Debug)]
+pub(crate) struct Unit {
+    /// Its name.
+    pub name: String,
+    /// The block of the catalogue that it is.
+    pub block: &'static str,
+    /// The name and the period of its clock in picoseconds.
+    pub clock: (&'static str, u64),
+    /// The path of its nets, with a point at its end.
+    pub path: String,
+    differed: usize,
+}
+
+impl Unit {
+    pub fn new(name: impl Into<String>, block: &'static str, clock: (&'static str, u64), path: &str) -> Unit {
+        Unit { name: name.into(), block, clock, path: path.to_owned(), differed: 0 }
+    }
+
+    /// A step at that edge of its clock.
+    pub fn step(&self, cycle: u64, primitive: Option<usize>, does: impl Into<String>, values: Vec<Compared>) -> Step {
+        let (clock, period) = self.clock;
+        Step {
+            primitive,
+            unit: self.name.clone(),
+            block: self.block,
+            does: does.into(),
+            clock: clock.to_owned(),
+            cycle,
+            time: cycle * period,
+            net: None,
+            values,
+        }
+    }
+
+    /// A step at a net.
+    pub fn step_at(
+        &self,
+        net: &str,
+        cycle: u64,
+        primitive: Option<usize>,
+        does: impl Into<String>,
+        values: Vec<Compared>,
+    ) -> Step {
+        let net = Some(format!("{}{net}", self.path));
+        Step { net, ..self.step(cycle, primitive, does, values) }
+    }
+
+    /// A step with values that differ, unless there are none, or the unit has had several such steps.
+    pub fn differing(&mut self, cycle: u64, does: &str, checks: &mut Checks) -> Option<Step> {
+        if checks.0.is_empty() {
+            return None;
+        }
+        let values = std::mem::take(&mut checks.0);
+        self.differed += 1;
+        (self.differed <= DIFFERENCES).then(|| {
+            let net = values[0].what;
+            self.step_at(net, cycle, None, does, values)
+        })
+    }
+}
+
+/// The values that differ, of those that are compared.
+#[derive(Debug, Default)]
+pub(crate) struct Checks(Vec<Compared>);
+
+impl Checks {
+    /// Whether a value differs.
+    pub fn differ(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    /// Compares two values.
+    pub fn same<T: PartialEq + Display>(&mut self, what: &'static str, hardware: T, golden: T) {
+        if hardware != golden {
+            self.0.push(compared(what, hardware, Some(golden)));
+        }
+    }
+
+    /// Compares bits.
+    pub fn bit(&mut self, what: &'static str, hardware: u64, golden: bool) {
+        self.same(what, hardware, u64::from(golden));
+    }
+}
+
+/// A value beside the model's.
+pub(crate) fn compared<T: Display>(what: &'static str, hardware: T, golden: Option<T>) -> Compared {
+    Compared { what, hardware: hardware.to_string(), golden: golden.map(|golden| golden.to_string()) }
+}
+
+/// Nets of a simulation, which are read together.
+#[derive(Debug, Default)]
+pub(crate) struct Looks {
+    paths: Vec<String>,
+    nets: Option<Nets>,
+    values: Vec<u64>,
+}
+
+impl Looks {
+    /// Adds nets whose paths have that beginning, before the first look. Returns the place of the first.
+    pub fn add<'a>(&mut self, path: &str, names: impl IntoIterator<Item = &'a str>) -> usize {
+        let first = self.paths.len();
+        self.paths.extend(names.into_iter().map(|name| format!("{path}{name}")));
+        first
+    }
+
+    /// Reads the settled values of all.
+    pub fn look<I: Bundle, O: Bundle>(&mut self, sim: &mut Simulation<I, O>) {
+        if self.nets.is_none() {
+            self.nets = Some(sim.nets(&self.paths).expect("the units have these nets"));
+            self.values.resize(self.paths.len(), 0);
+        }
+        if let Some(nets) = &self.nets {
+            sim.numbers(nets, &mut self.values);
+        }
+    }
+
+    /// The value of the net at that place.
+    pub fn at(&self, place: usize) -> u64 {
+        self.values[place]
+    }
+
+    /// The values from a place on.
+    pub fn from<const N: usize>(&self, first: usize) -> [u64; N] {
+        std::array::from_fn(|place| self.values[first + place])
+    }
+}
+
+/// The instance and the sentence of the first assertion or assumption that an error is about.
+pub(crate) fn violated(error: &crate::Error) -> Option<(&str, &str)> {
+    match error {
+        crate::Error::Simulation(Error::Violated(all)) => {
+            all.first().map(|it| (it.instance.as_str(), it.message.as_str()))
+        }
+        _ => None,
+    }
+}
