@@ -1,6 +1,7 @@
 //! The steps of a way while it is found: what a unit does, and where a plain model of it differs.
 
 use std::fmt::Display;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use tilewright_sim::{Bundle, Error, Nets, Simulation};
 
@@ -8,6 +9,38 @@ use crate::way::{Compared, Step};
 
 /// Differences of a unit that are kept: the first ones say all.
 const DIFFERENCES: usize = 3;
+
+/// The steps so far, of units that are simulated at the same time. Clones share them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Trail(Arc<Mutex<Vec<Step>>>);
+
+impl Trail {
+    fn steps(&self) -> MutexGuard<'_, Vec<Step>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Adds a step.
+    pub fn push(&self, step: Step) {
+        self.steps().push(step);
+    }
+
+    /// Adds steps.
+    pub fn extend(&self, steps: impl IntoIterator<Item = Step>) {
+        self.steps().extend(steps);
+    }
+
+    /// Whether a step differs.
+    pub fn differs(&self) -> bool {
+        self.steps().iter().any(Step::differs)
+    }
+
+    /// All steps, by time; those of one time in the sequence in which they were added.
+    pub fn take(&self) -> Vec<Step> {
+        let mut steps = std::mem::take(&mut *self.steps());
+        steps.sort_by_key(|step| step.time);
+        steps
+    }
+}
 
 /// A unit whose steps are found, and how many of them differed.
 #[derive(Clone, Debug)]

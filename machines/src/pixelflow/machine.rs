@@ -14,17 +14,19 @@ mod jobs;
 mod run;
 
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_scenes::deferred::{Deferred, Samples, Shading};
+use tilewright_scenes::deferred::{Appearance, Deferred, Samples, Shading};
 use tilewright_scenes::{Frame as Picture, Polygons, Projection, Size};
 use tilewright_sim::EngineKind;
 
 use super::config::Config;
+use super::following::{self, Light, Pixel, Words};
 use super::hardware::Spare;
 use super::report::Report;
 use super::works::{Drawing, Works};
 use crate::error::Error;
-use crate::history::Recorder;
+use crate::history::{History, Recorder};
 use crate::run::Watch;
+use crate::way::Follower;
 use run::Run;
 
 /// The name of a frame in progress and errors.
@@ -53,6 +55,7 @@ pub struct Machine {
     engine: EngineKind,
     recorder: Option<Recorder>,
     spare: Spare,
+    follower: Option<Follower>,
 }
 
 impl Machine {
@@ -63,7 +66,7 @@ impl Machine {
     pub fn new(config: Config) -> Result<Machine, Error> {
         config.roles()?;
         config.pixels()?;
-        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None, spare: Spare::default() })
+        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None, spare: Spare::default(), follower: None })
     }
 
     /// The same on another engine.
@@ -76,6 +79,28 @@ impl Machine {
     /// its samples. It is written when the frame buffer takes it.
     pub fn recorded(self, recorder: &Recorder) -> Machine {
         Machine { recorder: Some(recorder.clone()), ..self }
+    }
+
+    /// The same machine with a follower of a pixel: all nodes, both directions of the network, the texture units and the frame buffer. Of eight samples it
+    /// follows the first. Times are counted from the beginning of the first instruction.
+    ///
+    /// ```
+    /// use tilewright_machines::{Follower, Watch, pixelflow::{Config, Machine}};
+    /// use tilewright_scenes::deferred::{Samples, project_deferred};
+    /// use tilewright_scenes::{Scene, Size};
+    ///
+    /// let scene = Scene::builtin("star").expect("a built-in scene");
+    /// let deferred = project_deferred(&scene, Size::new(16, 12)?, Samples::One)?;
+    /// let config = Config { nodes: 4, shaders: 1, array: [8, 8], ..Config::new(deferred.size) };
+    /// let follower = Follower::new([8, 6]);
+    /// Machine::new(config)?.following(&follower).render(&deferred, &mut Watch::default())?;
+    /// let way = follower.take().expect("a frame was rendered");
+    /// assert!(way.first_difference().is_none() && way.steps.iter().any(|step| step.block == "compositor"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn following(mut self, follower: &Follower) -> Machine {
+        self.follower = Some(follower.clone());
+        self
     }
 
     /// Another machine on the same engine. If its arrays have the same size, it reuses the simulated arrays of this one, which is faster than making new ones.
@@ -106,7 +131,23 @@ impl Machine {
             Samples::Eight(Shading::OncePerPixel) => Works::deferred_once(&self.config, passes, shader)?,
             _ => Works::deferred(&self.config, passes, shader)?,
         };
-        self.run(&works, shader.background, watch)
+        let word = |number: usize, [x, y]: [u32; 2]| {
+            let packet = &passes[0].packets[number];
+            let covers = packet.triangle.covers(x, y);
+            covers.then(|| {
+                let word = packet.word(x, y);
+                let it = word.parameters();
+                let [red, green, blue] = it.rgb.map(u64::from);
+                (u64::from(it.z) << 24 | red << 16 | green << 8 | blue, word.bytes().to_vec())
+            })
+        };
+        let light = |bytes| {
+            let word = Appearance::from_bytes(bytes);
+            let is_known = usize::from(word.parameters().material) < shader.materials.len();
+            (is_known || word.is_empty()).then(|| shader.shade(word))
+        };
+        let light = (!works.shades_once()).then_some(&light as &dyn Fn([u8; 21]) -> Option<[u8; 3]>);
+        self.run(&works, shader.background, ((passes[0].packets.len(), &word), light), watch)
     }
 
     /// Renders a frame by the non-texturing system. All regions are in the pixels' memory, and colours are those of the vertices.
@@ -124,7 +165,11 @@ impl Machine {
             return Err(ParameterError("spheres: this machine cannot evaluate quadratics".to_owned()).into());
         }
         let works = Works::resident(&self.config, &[Drawing::of(&self.config, &polygons.polygons)], background)?;
-        self.run(&works, background, watch)
+        let word = |number: usize, [x, y]: [u32; 2]| {
+            let packet = &polygons.polygons[number];
+            packet.covers(x, y).then(|| (packet.word(x, y), packet.word(x, y).to_be_bytes().to_vec()))
+        };
+        self.run(&works, background, ((polygons.polygons.len(), &word), None), watch)
     }
 
     /// The same with eight samples of a pixel, one after another: the two passes of [`project_samples`](tilewright_scenes::project_samples). The node
@@ -145,7 +190,11 @@ impl Machine {
             return Err(ParameterError(problem).into());
         }
         let works = Works::resident(&self.config, &Drawing::eight(&self.config, passes), background)?;
-        self.run(&works, background, watch)
+        let word = |number: usize, [x, y]: [u32; 2]| {
+            let packet = &passes[0].triangles[number];
+            packet.covers(x, y).then(|| (packet.word(x, y), packet.word(x, y).to_be_bytes().to_vec()))
+        };
+        self.run(&works, background, ((passes[0].triangles.len(), &word), None), watch)
     }
 
     fn check(&self, size: Size) -> Result<(), Error> {
@@ -156,17 +205,35 @@ impl Machine {
         Err(ParameterError(problem).into())
     }
 
-    fn run(&self, works: &Works, background: [u8; 3], watch: &mut Watch) -> Result<(Picture, Report), Error> {
-        let mut run = Run::new(&self.config, self.engine, &self.spare, works, self.recorder.is_some())?;
-        while let Some(done) = run.go_on()? {
-            watch.go_on(PHASE, done, run.time() * TICK)?;
+    fn run(
+        &self,
+        works: &Works,
+        background: [u8; 3],
+        (words, light): (Words, Light),
+        watch: &mut Watch,
+    ) -> Result<(Picture, Report), Error> {
+        let pixel = self.follower.as_ref().and_then(|follower| Pixel::new(works, follower.pixel));
+        let mut run = Run::new(&self.config, self.engine, &self.spare, works, self.recorder.is_some(), pixel)?;
+        let ended = draw(&mut run, background, watch);
+        if let (Some(follower), Some(pixel)) = (&self.follower, pixel) {
+            let shown = ended.as_ref().ok().map(|(picture, ..)| picture.words[pixel.number]);
+            follower.put(following::way(run.found(), words, light, pixel.sample(works), shown));
         }
-        let (picture, report, history) = run.end(background)?;
+        let (picture, report, history) = ended?;
+        run.keep();
         if let (Some(recorder), Some(history)) = (&self.recorder, history) {
             recorder.put(history);
         }
         Ok((picture, report))
     }
+}
+
+fn draw(run: &mut Run, background: [u8; 3], watch: &mut Watch) -> Result<(Picture, Report, Option<History>), Error> {
+    run.begin()?;
+    while let Some(done) = run.go_on()? {
+        watch.go_on(PHASE, done, run.time() * TICK)?;
+    }
+    run.end(background)
 }
 
 #[cfg(test)]

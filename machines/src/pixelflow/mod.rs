@@ -10,6 +10,7 @@
 //! | `stereo` | frames for two eyes |
 //! | `costs` | the time of each step |
 //! | `triangles` | random triangles, as the paper counts them |
+//! | `following` | the way of a pixel through a machine |
 //! | `packets`, `constants` | packets and shaders for the programs of a node |
 //!
 //! Source: "Reducing Latency on PixelFlow", facts A4 (PFL).
@@ -17,6 +18,7 @@
 mod config;
 mod constants;
 mod costs;
+mod following;
 mod hardware;
 mod history;
 mod latency;

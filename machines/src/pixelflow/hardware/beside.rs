@@ -4,6 +4,8 @@ use super::node::ArraySimulation;
 use super::store::FrameStore;
 use super::texture::TextureLookUp;
 use crate::error::Error;
+use crate::pixelflow::costs::Ticks;
+use crate::trail::Trail;
 
 /// The unit at a texture port.
 pub(in crate::pixelflow) enum Beside {
@@ -35,6 +37,24 @@ impl Beside {
         match self {
             Beside::Store(store) => store.is_ending(),
             _ => false,
+        }
+    }
+
+    /// Tells the observer of a pixel the tick.
+    pub fn now(&mut self, tick: Ticks) {
+        match self {
+            Beside::Nobody => {}
+            Beside::Texture(texture) => texture.now(tick),
+            Beside::Store(store) => store.now(tick),
+        }
+    }
+
+    /// The steps of a pixel that is followed.
+    pub fn trail(&self) -> Option<&Trail> {
+        match self {
+            Beside::Nobody => None,
+            Beside::Texture(texture) => texture.trail(),
+            Beside::Store(store) => store.trail(),
         }
     }
 

@@ -12,7 +12,7 @@ mod words;
 pub(super) use beside::Beside;
 pub use composition::composition_time;
 pub(super) use network::Way;
-pub(super) use node::{Access, Node};
+pub(super) use node::{Access, ArraySimulation, Node};
 pub(super) use spare::Spare;
 pub(super) use store::FrameStore;
 pub(super) use texture::TextureLookUp;

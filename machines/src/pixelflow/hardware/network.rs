@@ -8,6 +8,8 @@ use tilewright_sim::{EngineKind, Simulation};
 
 use super::Words;
 use crate::error::Error;
+use crate::pixelflow::costs::Ticks;
+use crate::pixelflow::following::NetworkObserver;
 
 /// One direction of the network.
 pub(in crate::pixelflow) struct Way {
@@ -16,6 +18,8 @@ pub(in crate::pixelflow) struct Way {
     chips: u32,
     /// Pixels of a chip.
     pixels: usize,
+    /// The observer of a pixel that is followed.
+    pub observer: Option<Box<NetworkObserver>>,
 }
 
 impl Way {
@@ -29,16 +33,20 @@ impl Way {
             sim.set(node.first, false);
         }
         sim.try_reset()?;
-        Ok(Way { sim, nodes, chips: array.chips(), pixels: array.pixels() as usize })
+        Ok(Way { sim, nodes, chips: array.chips(), pixels: array.pixels() as usize, observer: None })
     }
 
     /// Sends words from the first node that has some to a node after all of these; the others compose. Returns the words at that node.
     ///
-    /// Node number n sends its words n ticks later than the first one.
+    /// Node number n sends its words n ticks later than the first one. A pixel that is followed is looked at if the tick of the first byte is given.
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn send(&mut self, words: &[(usize, &Words)], to: usize) -> Result<Words, Error> {
+    pub fn send(&mut self, words: &[(usize, &Words)], to: usize, followed: Option<Ticks>) -> Result<Words, Error> {
+        let mut observer = self.observer.as_mut().filter(|_| followed.is_some());
+        if let (Some(observer), Some(from)) = (&mut observer, followed) {
+            observer.begin(from);
+        }
         let nodes = self.sim.i.nodes.clone();
         let (first, length) = (words[0].0, words[0].1.len());
         nodes.iter().for_each(|node| self.sim.set(node.mode, Mode::Forward as u64));
@@ -61,10 +69,26 @@ impl Way {
             if self.sim.get_u64(target.unloaded) == 1 {
                 came.push(self.sim.limbs(target.bytes));
             }
-            self.sim.try_step()?;
+            if let Some(observer) = &mut observer {
+                observer.look(&mut self.sim, tick as Ticks);
+            }
+            let stepped = self.sim.try_step().map_err(Error::from);
+            if let (Err(error), Some(observer)) = (&stepped, &mut observer) {
+                observer.fail(tick as Ticks, error);
+            }
+            stepped?;
         }
-        debug_assert!(came.len() == length);
-        Ok(came)
+        if let Some(observer) = observer {
+            observer.end(length as Ticks);
+        }
+        match came.len() == length {
+            true => Ok(came),
+            false => {
+                let (unit, signal) = ("the network".to_owned(), "the number of bytes that arrive");
+                let clock = (length + self.nodes - first) as u64;
+                Err(Error::Differs { unit, signal, clock, seen: came.len() as u64, expected: length as u64 })
+            }
+        }
     }
 
     /// For each pixel, chip by chip, the number of the first of these nodes that sent the received word.

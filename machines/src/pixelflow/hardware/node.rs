@@ -1,5 +1,7 @@
 //! A node's array in simulation. It gets instructions, and the network reads and writes its registers.
 
+mod following;
+
 use std::collections::VecDeque;
 use std::ops::Range;
 
@@ -12,11 +14,12 @@ use super::beside::Beside;
 use super::words::Words;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
+use crate::pixelflow::following::{ArrayObserver, GETS, SENDS};
 use crate::pixelflow::model::Timing;
 use crate::pixelflow::works::Mark;
 
 /// An array in simulation.
-pub(super) type ArraySimulation = Simulation<PixelArrayIn, PixelArrayOut>;
+pub(in crate::pixelflow) type ArraySimulation = Simulation<PixelArrayIn, PixelArrayOut>;
 
 /// An access of the network to a bank, from some tick on: a byte of each chip a tick.
 #[derive(Debug)]
@@ -27,6 +30,8 @@ pub(in crate::pixelflow) struct Access {
     pub bytes: u64,
     /// The words that arrive; `None` if the bank's words are sent.
     pub comes: Option<Words>,
+    /// A pixel of these words is followed.
+    pub is_followed: bool,
 }
 
 /// The accesses of the network to a bank, one after another.
@@ -67,6 +72,9 @@ pub(in crate::pixelflow) struct Node {
     there: Ticks,
     /// The unit at its texture port.
     beside: Beside,
+    /// The observer of a pixel that is followed, and the tick in which everything has ended for long.
+    observer: Option<Box<ArrayObserver>>,
+    limit: Ticks,
 }
 
 impl Node {
@@ -109,6 +117,8 @@ impl Node {
             claimed: [false; 2],
             there: 0,
             beside,
+            observer: None,
+            limit: Ticks::MAX,
         })
     }
 
@@ -191,12 +201,20 @@ impl Node {
 
     fn differs(&self, seen: Ticks, expected: Ticks) -> Error {
         let signal = "the tick in which a bank is given";
-        Error::Differs { unit: self.name.clone(), signal, clock: self.time / 2, seen, expected }
+        let error = Error::Differs { unit: self.name.clone(), signal, clock: self.time / 2, seen, expected };
+        if let Some(observer) = &self.observer {
+            observer.fail(self.time, &error);
+        }
+        error
     }
 
     /// Advances by a tick, or by several in which nothing happens. Every second tick is a clock of the array, with the given instruction. Returns
     /// whether the instruction is taken.
     fn advance(&mut self, shown: Option<&Instruction<u64>>) -> Result<bool, Error> {
+        if self.time > self.limit {
+            return Err(self.differs(0, self.next_expected().unwrap_or(0)));
+        }
+        self.beside.now(self.time);
         if !self.is_array_edge() {
             self.tick()?;
             if shown.is_none_or(|instruction| self.waits(instruction)) {
@@ -215,6 +233,9 @@ impl Node {
         let given = self.sim.get_u64(self.sim.o.given.banks);
         self.count(taken.is_some());
         self.beside.clock(&mut self.sim)?;
+        if let Some(observer) = &mut self.observer {
+            observer.shows(shown.copied());
+        }
         self.tick()?;
         if let Some(instruction) = taken {
             self.claim(instruction);
@@ -238,7 +259,7 @@ impl Node {
             return Ok(());
         }
         let was_there = self.is_there();
-        while self.is_read_alone() && self.is_there() == was_there {
+        while self.is_read_alone() && self.is_there() == was_there && self.time <= self.limit {
             self.pass()?;
         }
         let is_at_rest = self.banks.iter().all(|bank| bank.done == 0) && !self.beside.is_busy();
@@ -334,11 +355,24 @@ impl Node {
     /// A tick of the network, and with every second one a clock of the array.
     fn tick(&mut self) -> Result<(), Error> {
         let ends = [0, 1].map(|bank| self.transfer(bank));
-        self.sim.try_step()?;
+        if let Some(observer) = &mut self.observer {
+            observer.look(&mut self.sim, self.time, self.time % 2 == 1);
+        }
+        if let Err(error) = self.sim.try_step() {
+            let error = error.into();
+            if let Some(observer) = &self.observer {
+                observer.fail(self.time, &error);
+            }
+            return Err(error);
+        }
         self.time += 1;
         for number in (0..2).filter(|number| ends[*number]) {
             let bank = &mut self.banks[number];
-            bank.accesses.pop_front();
+            let access = bank.accesses.pop_front();
+            if let (Some(observer), Some(access)) = (&mut self.observer, access.filter(|it| it.is_followed)) {
+                let does = if access.comes.is_some() { GETS } else { SENDS };
+                observer.word(&self.sim, self.time, number, access.bytes, does);
+            }
             bank.sent.extend(bank.went.take());
             bank.done = 0;
             self.sim.set(self.sim.i.network[number].writes, false);
@@ -372,6 +406,17 @@ impl Node {
                 let all = access.bytes * self.pixels;
                 let went = bank.went.get_or_insert_with(|| Words::new(self.chips, all as usize));
                 went.push(self.sim.limbs(self.sim.o.network_seen[number]));
+                if let Some(observer) = &mut self.observer
+                    && let Some(chip) = observer.chip_of(pixel)
+                {
+                    observer.read(
+                        self.time,
+                        number,
+                        access.bytes - 1 - byte,
+                        went.byte(went.len() - 1, chip),
+                        "is read by the network",
+                    );
+                }
             }
             Some(words) => {
                 self.sim.set(port.writes, true);

@@ -10,11 +10,16 @@ use tilewright_scenes::Texture;
 use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
 use crate::error::Error;
+use crate::pixelflow::costs::Ticks;
+use crate::pixelflow::following::TextureObserver;
+use crate::trail::Trail;
 
 /// A texture unit with textures in its memory.
 pub(in crate::pixelflow) struct TextureLookUp {
     sim: Simulation<TextureUnitIn, TextureUnitOut>,
     is_busy: bool,
+    /// The observer of a pixel that is followed.
+    observer: Option<Box<TextureObserver>>,
 }
 
 impl TextureLookUp {
@@ -43,7 +48,7 @@ impl TextureLookUp {
             sim.set(port, false);
         }
         sim.try_reset()?;
-        let mut unit = TextureLookUp { sim, is_busy: false };
+        let mut unit = TextureLookUp { sim, is_busy: false, observer: None };
         let mut base = 0;
         for (number, texture) in textures.enumerate() {
             unit.write(number as u64, base, texture)?;
@@ -82,6 +87,23 @@ impl TextureLookUp {
         TextureUnit { chips: array.chips(), pixels: array.pixels(), memory }.clocks()
     }
 
+    /// Follows a pixel.
+    pub fn follow(&mut self, observer: TextureObserver) {
+        self.observer = Some(Box::new(observer));
+    }
+
+    /// Tells the observer the tick.
+    pub fn now(&mut self, tick: Ticks) {
+        if let Some(observer) = &mut self.observer {
+            observer.tick = tick;
+        }
+    }
+
+    /// The steps of the pixel.
+    pub fn trail(&self) -> Option<&Trail> {
+        self.observer.as_ref().map(|observer| &observer.trail)
+    }
+
     /// Whether it works.
     pub fn is_busy(&self) -> bool {
         self.is_busy
@@ -115,7 +137,14 @@ impl TextureLookUp {
         }
         unit.set(unit.i.start, starts);
         let is_done = unit.get_u64(unit.o.done) == 1;
-        unit.try_step()?;
+        if let Some(observer) = &mut self.observer {
+            observer.look(unit);
+        }
+        let stepped = unit.try_step().map_err(Error::from);
+        if let (Err(error), Some(observer)) = (&stepped, &mut self.observer) {
+            observer.fail(error);
+        }
+        stepped?;
         self.is_busy = !is_done;
         Ok(is_done)
     }

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use crate::error::Error;
+use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::hardware::{Access, Node, Way, Words};
 use crate::pixelflow::works::Works;
 
@@ -26,6 +27,8 @@ pub(super) struct Composition {
     pub to: usize,
     /// Whether the node of each word is wanted.
     pub asks: bool,
+    /// The tick of the first byte, if a pixel is followed.
+    pub followed: Option<Ticks>,
 }
 
 /// The composed words.
@@ -88,8 +91,8 @@ pub(super) enum Job<'a> {
     Shades(&'a mut Worker),
     /// The network composes words.
     Composes(&'a mut Way, Vec<Composition>, Vec<Composed>),
-    /// A rasterizer of that number draws turns.
-    Draws(&'a mut Node, usize, Range<usize>),
+    /// A rasterizer of that number draws turns; the region of a pixel that is followed.
+    Draws(&'a mut Node, usize, Range<usize>, Option<usize>),
 }
 
 impl Job<'_> {
@@ -99,17 +102,22 @@ impl Job<'_> {
             Job::Holds(holder) => holder.go_on(|node, turn| node.run(&works.storing(turn), &[])),
             Job::Shades(shader) => shader.go_on(|node, turn| node.run(works.shading(turn), &[])),
             Job::Composes(way, words, composed) => {
-                for Composition { turn, target, own, to, asks } in words {
+                for Composition { turn, target, own, to, asks, followed } in words {
                     let own: Vec<(usize, &Words)> = own.iter().map(|(place, words)| (*place, words)).collect();
-                    let words = way.send(&own, *to)?;
+                    let words = way.send(&own, *to, *followed)?;
                     let winners = if *asks { way.winners(&own, &words) } else { Vec::new() };
                     composed.push(Composed { turn: *turn, target: *target, words, winners });
                 }
                 Ok(())
             }
-            Job::Draws(node, number, turns) => {
+            Job::Draws(node, number, turns, region) => {
                 let end = turns.end;
-                turns.try_for_each(|turn| node.run(works.program(*number, turn), works.marks(*number, turn)))?;
+                turns.try_for_each(|turn| {
+                    if region.is_some_and(|region| works.region(turn) == region) {
+                        node.tell(works.primitives_of(*number, turn));
+                    }
+                    node.run(works.program(*number, turn), works.marks(*number, turn))
+                })?;
                 if end == works.turns() { node.finish() } else { Ok(()) }
             }
         }

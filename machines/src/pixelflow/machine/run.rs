@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::history::History;
 use crate::pixelflow::config::Config;
 use crate::pixelflow::costs::Ticks;
+use crate::pixelflow::following::{Found, NetworkObserver, Pixel, TextureObserver};
 use crate::pixelflow::hardware::{Access, Beside, FrameStore, Node, Spare, TextureLookUp, Way, Words};
 use crate::pixelflow::history::{Recording, Worked};
 use crate::pixelflow::model::{Built, Timing};
@@ -20,6 +21,8 @@ use crate::threads::{all_threads, each_mut};
 
 /// Turns that rasterizers draw before the network composes them. Memory has the words of up to twice this number.
 const TURNS: usize = 8;
+/// Ticks after which a frame with a followed pixel does not end any more, beside twice those of the model.
+const FOLLOWED_LONGER: Ticks = 10_000;
 
 /// A frame in progress.
 pub(super) struct Run<'a> {
@@ -45,6 +48,8 @@ pub(super) struct Run<'a> {
     came: Vec<Words>,
     /// The recorded history, if there is one.
     recording: Option<Recording>,
+    /// The pixel that is followed.
+    pixel: Option<Pixel>,
 }
 
 impl<'a> Run<'a> {
@@ -58,6 +63,7 @@ impl<'a> Run<'a> {
         spare: &'a Spare,
         works: &'a Works,
         records: bool,
+        pixel: Option<Pixel>,
     ) -> Result<Run<'a>, Error> {
         let (array, roles) = (config.pixels()?, config.roles()?);
         let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
@@ -102,34 +108,80 @@ impl<'a> Run<'a> {
             early: BTreeMap::new(),
             came: Vec::new(),
             recording: records.then(|| Recording::new(works)),
+            pixel,
         };
+        run.follow(&array, config.side_by_side)?;
         run.schedule();
-        run.holder.node.run(&Works::first_of_holder(), &[])?;
-        run.shaders.iter_mut().try_for_each(|shader| shader.node.run(&Works::first_of_shader(), &[]))?;
         Ok(run)
+    }
+
+    /// Gives banks to the network before the first turn.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`]; [`Error::Differs`].
+    pub fn begin(&mut self) -> Result<(), Error> {
+        self.holder.node.run(&Works::first_of_holder(), &[])?;
+        self.shaders.iter_mut().try_for_each(|shader| shader.node.run(&Works::first_of_shader(), &[]))
+    }
+
+    /// Has all nodes, and both ways of the network, follow the pixel.
+    fn follow(&mut self, array: &PixelArray, side_by_side: bool) -> Result<(), Error> {
+        let (works, Some(pixel)) = (self.works, self.pixel) else { return Ok(()) };
+        // A frame that takes twice as long does not end.
+        let limit = 2 * self.timing.turns.last().map_or(0, |turn| turn.loaded.end) + FOLLOWED_LONGER;
+        self.holder.node.follow(pixel.of_array("the node of the frame buffer", array, side_by_side), limit);
+        self.holder.node.follow_store(pixel.of_store(works)?);
+        for (number, node) in (1..).zip(&mut self.rasterizers) {
+            node.follow(pixel.of_array(&format!("rasterizer {number}"), array, side_by_side), limit);
+        }
+        for (number, shader) in (1..).zip(&mut self.shaders) {
+            let name = format!("shader {number}");
+            shader.node.follow(pixel.of_array(&name, array, side_by_side), limit);
+            let starts = self.colours[number - 1].iter().map(|turn| works.region(*turn) == pixel.region).collect();
+            shader.node.follow_textures(TextureObserver::new(&name, array, &works.textures, pixel.place, starts));
+        }
+        for way in &mut self.ways {
+            let observer = NetworkObserver::new(self.config.nodes as usize, works.pixels_of_chip(), pixel.place);
+            way.observer = Some(Box::new(observer));
+        }
+        Ok(())
+    }
+
+    /// What was found of the pixel that is followed.
+    pub fn found(&mut self) -> Found {
+        let mut found = Found::default();
+        let rasterizers = self.rasterizers.iter_mut();
+        let nodes =
+            rasterizers.chain(self.shaders.iter_mut().map(|shader| &mut shader.node)).chain([&mut self.holder.node]);
+        nodes.for_each(|node| node.take_found(&mut found));
+        let observers = self.ways.iter_mut().filter_map(|way| way.observer.take());
+        observers.for_each(|observer| found.steps.extend(observer.trail.take()));
+        found
     }
 
     /// Tells all nodes the ticks in which the network accesses their banks, and in which they have to give them.
     fn schedule(&mut self) {
-        let (works, timing) = (self.works, &self.timing);
+        let (works, timing, pixel) = (self.works, &self.timing, self.pixel);
+        let is_followed = |turn: usize| pixel.is_some_and(|pixel| works.region(turn) == pixel.region);
         for (shader, tick) in self.shaders.iter_mut().zip(&timing.first_words) {
             shader.node.expect(0, *tick);
         }
         timing.first_stores.iter().enumerate().for_each(|(bank, tick)| self.holder.node.expect(bank, *tick));
         let first = if works.is_shaded() { 0 } else { self.rasterizers.len() - 1 };
         for (turn, (done, given)) in timing.turns.iter().zip(&timing.given).enumerate() {
-            let (bank, bytes) = (turn % 2, works.bytes());
+            let (bank, bytes, is_followed) = (turn % 2, works.bytes(), is_followed(turn));
             for (number, node) in self.rasterizers.iter_mut().enumerate() {
                 // A tick from node to node.
                 let from = done.composed.start + first.abs_diff(number) as Ticks;
-                node.access(Access { from, bank, bytes, comes: None });
+                node.access(Access { from, bank, bytes, comes: None, is_followed });
                 node.expect(bank, given.words[number]);
             }
             if let Some(number) = works.shader_of(turn, self.shaders.len()) {
                 let node = &mut self.shaders[number].node;
                 node.expect(0, given.next_word);
                 if works.comes_to_holder(turn) {
-                    node.access(Access { from: done.sent.start, bank: 1, bytes: Works::COLOUR, comes: None });
+                    let from = done.sent.start;
+                    node.access(Access { from, bank: 1, bytes: Works::COLOUR, comes: None, is_followed });
                     node.expect(1, done.shaded.end);
                 }
             }
@@ -165,7 +217,8 @@ impl<'a> Run<'a> {
         jobs.extend(self.shaders.iter_mut().map(Job::Shades));
         jobs.extend(self.ways.iter_mut().zip(words).map(|(way, words)| Job::Composes(way, words, Vec::new())));
         if !next.is_empty() {
-            let draws = |(number, node)| Job::Draws(node, number, next.clone());
+            let region = self.pixel.map(|pixel| pixel.region);
+            let draws = |(number, node)| Job::Draws(node, number, next.clone(), region);
             jobs.extend(self.rasterizers.iter_mut().enumerate().map(draws));
         }
         each_mut(&mut jobs, |_, job| job.run(works))?;
@@ -192,7 +245,8 @@ impl<'a> Run<'a> {
         match target {
             Target::Shader(number) => {
                 let from = self.timing.turns[turn].composed.start + rasterizers + number as Ticks;
-                let access = Access { from, bank: 0, bytes: self.works.bytes(), comes: Some(words) };
+                let is_followed = self.is_followed(turn);
+                let access = Access { from, bank: 0, bytes: self.works.bytes(), comes: Some(words), is_followed };
                 self.shaders[number].gets(turn, access);
             }
             Target::Holder => {
@@ -205,6 +259,11 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// Whether a turn has the pixel that is followed.
+    fn is_followed(&self, turn: usize) -> bool {
+        self.pixel.is_some_and(|pixel| self.works.region(turn) == pixel.region)
+    }
+
     fn hold(&mut self, turn: usize, words: Words) {
         let (works, done) = (self.works, &self.timing.turns[turn]);
         let rasterizers = self.rasterizers.len();
@@ -215,28 +274,33 @@ impl<'a> Run<'a> {
         if works.has_depths() {
             self.came.push(words.clone());
         }
-        let access = Access { from, bank: works.holders_bank(turn), bytes: works.stored(), comes: Some(words) };
+        let (bank, is_followed) = (works.holders_bank(turn), self.is_followed(turn));
+        let access = Access { from, bank, bytes: works.stored(), comes: Some(words), is_followed };
         self.holder.gets(turn, access);
     }
 
     /// Passes words and colours that left their nodes to the network.
     fn take_what_went(&mut self) {
         let asks = self.recording.is_some();
+        let (works, pixel) = (self.works, self.pixel);
+        let followed =
+            |turn: usize, from: Ticks| pixel.filter(|pixel| works.region(turn) == pixel.region).map(|_| from);
         // Places are counted from the frame buffer's node, or to it.
         let (last, first_shader) = (self.config.nodes as usize - 1, 1 + self.rasterizers.len());
         while self.gone < self.drawn && self.rasterizers.iter().all(|node| node.has_sent(self.gone % 2)) {
             let turn = self.gone;
+            let followed = followed(turn, self.timing.turns[turn].composed.start);
             let words = self.rasterizers.iter_mut().map(|node| node.sent(turn % 2).expect("it has sent them"));
             let own = (1..).zip(words);
             self.waiting.push(match self.works.shader_of(turn, self.shaders.len()) {
                 Some(number) => {
                     let (target, to) = (Target::Shader(number), first_shader + number);
-                    Composition { turn, target, own: own.collect(), to, asks }
+                    Composition { turn, target, own: own.collect(), to, asks, followed }
                 }
                 None => {
                     let mut own: Vec<_> = own.map(|(place, words)| (last - place, words)).collect();
                     own.reverse();
-                    Composition { turn, target: Target::Holder, own, to: last, asks }
+                    Composition { turn, target: Target::Holder, own, to: last, asks, followed }
                 }
             });
             self.gone += 1;
@@ -245,7 +309,8 @@ impl<'a> Run<'a> {
             while let Some(words) = shader.node.sent(1) {
                 let turn = turns.pop_front().expect("it sends colours of its turns alone");
                 let own = vec![(last - first_shader - number, words)];
-                self.waiting.push(Composition { turn, target: Target::Holder, own, to: last, asks: false });
+                let followed = followed(turn, self.timing.turns[turn].sent.start);
+                self.waiting.push(Composition { turn, target: Target::Holder, own, to: last, asks: false, followed });
             }
         }
     }
@@ -254,13 +319,14 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn end(mut self, background: [u8; 3]) -> Result<(Picture, Report, Option<History>), Error> {
+    pub fn end(&mut self, background: [u8; 3]) -> Result<(Picture, Report, Option<History>), Error> {
         let picture = self.works.picture(&self.holder.node.scan()?, &self.came);
         let rasterizers = self.rasterizers.iter().map(Node::busy).collect();
         let shaders = self.shaders.iter().map(|shader| shader.node.busy()).collect();
         let held = self.holder.node.busy();
-        let report = Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], held)?;
-        let history = self.recording.map(|recording| {
+        let report =
+            Report::new(self.config, self.works, std::mem::take(&mut self.timing.turns), [rasterizers, shaders], held)?;
+        let history = self.recording.take().map(|recording| {
             let worked = |node: &Node| node.worked().to_vec();
             let nodes = Worked {
                 rasterizers: self.rasterizers.iter().map(worked).collect(),
@@ -269,10 +335,14 @@ impl<'a> Run<'a> {
             };
             recording.into_history(self.works, &report, (&picture, background), nodes)
         });
+        Ok((picture, report, history))
+    }
+
+    /// Keeps the arrays for another frame.
+    pub fn keep(self) {
         let shaders = self.shaders.into_iter().map(|shader| shader.node);
         let nodes = [self.holder.node].into_iter().chain(self.rasterizers).chain(shaders);
         nodes.for_each(|node| self.spare.keep(node.into_array()));
-        Ok((picture, report, history))
     }
 }
 

@@ -1,5 +1,8 @@
 //! The places of arrays' pixels on the screen.
 
+use tilewright_rtl::pixelflow::fields::bank;
+use tilewright_rtl::pixelflow::programs;
+
 use super::Works;
 
 impl Works {
@@ -17,6 +20,28 @@ impl Works {
     pub fn place_in_chip(&self, pixel: usize) -> (u32, usize) {
         let of_chip = self.pixels_of_chip();
         ((pixel / of_chip) as u32, pixel % of_chip)
+    }
+
+    /// The upper left corner of a region, in pixels that are drawn.
+    pub fn corner(&self, region: usize) -> [u32; 2] {
+        self.screen.place(region)
+    }
+
+    /// The primitive of each instruction of a rasterizer's program for a turn, if it is one's.
+    pub fn primitives_of(&self, rasterizer: usize, turn: usize) -> Vec<Option<usize>> {
+        let mut primitives = vec![None; self.programs[rasterizer][turn].len()];
+        let starts = &self.starts[rasterizer][turn];
+        for (number, (place, primitive)) in starts.iter().enumerate() {
+            let end = starts.get(number + 1).map_or(self.drawn_until(rasterizer, turn), |(next, _)| *next);
+            primitives[*place..end.max(*place)].fill(Some(*primitive));
+        }
+        primitives
+    }
+
+    /// The instruction after those of the last primitive of a turn: what follows tags the words, and gives them.
+    fn drawn_until(&self, rasterizer: usize, turn: usize) -> usize {
+        let behind = if self.is_shaded() { programs::covered(bank(0)).len() + 1 } else { 1 };
+        self.programs[rasterizer][turn].len().saturating_sub(behind)
     }
 
     /// The number, in raster order, of the frame's pixel for a chip's pixel in a region, which may be one of its samples; `None` beyond the screen.
