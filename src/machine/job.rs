@@ -32,11 +32,6 @@ pub trait Job {
     /// # Errors
     /// The machine cannot be built, or cannot render this; Ctrl-C; a waveform cannot be written.
     fn render(&self, run: &Run) -> Result<(Frame, Self::Report), Failure>;
-
-    /// Whether the machine tells the way of a pixel, so that `render` gives it [`Run::follower`].
-    fn follows(&self) -> bool {
-        false
-    }
 }
 
 /// How a machine is run.

@@ -121,6 +121,9 @@ impl Job for PixelPlanesJob {
         if let Some(recorder) = run.recorder {
             machine = machine.recorded(recorder);
         }
+        if let Some(follower) = run.follower {
+            machine = machine.following(follower);
+        }
         run.watch(|watch| machine.render(&self.polygons, self.background, watch), |(_, report)| report.picoseconds())
     }
 }

@@ -263,6 +263,9 @@ impl Job for PixelFlowJob {
         if let Some(recorder) = run.recorder {
             machine = machine.recorded(recorder);
         }
+        if let Some(follower) = run.follower {
+            machine = machine.following(follower);
+        }
         let render = |watch: &mut tilewright_machines::Watch| match &self.work {
             Work::Deferred(deferred) => machine.render(deferred, watch),
             Work::Resident(polygons, background) => machine.render_resident(polygons, *background, watch),

@@ -147,10 +147,6 @@ impl Job for QuadtreeJob {
             |(_, report)| report.phases.iter().map(|phase| phase.picoseconds).sum(),
         )
     }
-
-    fn follows(&self) -> bool {
-        true
-    }
 }
 
 impl Compared for QuadtreeJob {

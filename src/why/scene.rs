@@ -101,8 +101,10 @@ impl Asked<'_> {
     fn answer(&self, job: &impl Job) -> Result<Exit, Failure> {
         let (size, [x, y], machine) = (job.size(), self.pixel, self.machine.name());
         let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
-        if !job.follows() {
-            return bad(format!("{machine} does not tell the way of a pixel yet: pass --machine vc1 or quadtree"));
+        if self.output.is_some() && matches!(self.machine, Machine::PixelPlanes | Machine::PixelFlow) {
+            return bad(format!(
+                "each unit of {machine} is simulated separately, so a frame has no waveform: leave out -o"
+            ));
         }
         if x >= size.width() || y >= size.height() {
             let (right, bottom) = (size.width() - 1, size.height() - 1);

@@ -126,9 +126,23 @@ fn the_wave_has_40_clocks_around_the_last_step_of_the_visible_primitive() {
     assert!(times.iter().all(|it| (time - around..=time + around).contains(it)), "{time} {around}: {times:?}");
     let unit = step["net"].as_str().unwrap().rsplit('.').nth(1).unwrap();
     assert!(wave.contains(unit), "{unit}");
-    assert_eq!(way["commands"], serde_json::json!(["gtkwave pixel.vcd pixel.gtkw", "surfer pixel.vcd"]));
+    assert_eq!(way["commands"], serde_json::json!(["gtkwave pixel.vcd pixel.gtkw", "surfer -c pixel.sucl pixel.vcd"]));
     let save = std::fs::read_to_string(folder.path("pixel.gtkw")).unwrap();
     assert!(save.contains(&format!("[timestart] {}", time - around)), "{save}");
+}
+
+/// The last step of each machine is the word that the golden image has, and no step before it differs.
+#[test]
+fn machines_whose_units_are_simulated_separately_tell_the_way_too() {
+    let folder = Folder::with_pyramid();
+    for machine in ["pixel-planes-5", "pixelflow"] {
+        let way = folder.json(&format!("why pyramid.obj --size 32x24 --machine {machine} --pixel 16,12 --json"));
+        let steps = way["steps"].as_array().unwrap();
+        let (end, differs) = (steps.last().unwrap(), |step: &Value| step["differs"] == true);
+        assert!(way["primitives"].as_array().unwrap().iter().any(|it| it["wins"] == true), "{machine}: {way}");
+        assert!(steps.len() > 10 && !steps.iter().any(differs), "{machine}: {way}");
+        assert_eq!((&end["unit"], &end["does"]), (&"picture".into(), &"has the pixel".into()), "{machine}");
+    }
 }
 
 #[test]
@@ -142,8 +156,8 @@ fn a_question_about_a_pixel_that_has_no_answer_is_refused_in_a_sentence() {
         ("pyramid.obj --pixel 5", "give two whole numbers of pixels, from the left and from the top, such as 396,189"),
         ("pyramid.obj --size 32x24 --pixel 5,5 --accumulate 2", "a pixel is followed in one: leave it out"),
         (
-            "pyramid.obj --size 32x24 --pixel 5,5 --machine pixelflow",
-            "pixelflow does not tell the way of a pixel yet: pass --machine vc1 or quadtree",
+            "pyramid.obj --size 32x24 --pixel 5,5 --machine pixelflow -o pixel.vcd",
+            "each unit of pixelflow is simulated separately, so a frame has no waveform: leave out -o",
         ),
         ("pyramid.obj --size 32x24 --pixel 5,5 --matrix 2x2", "--matrix is an option of quadtree"),
         ("fifo", "give --signal NET for a block, or --pixel X,Y for a scene"),

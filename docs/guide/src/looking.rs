@@ -16,14 +16,14 @@ mod tests {
         let mut sim = Simulation::of(&Echo { clocks_per_bit: 16, depth: 4 })?;
         sim.set(sim.i.rx, 1);
         let vcd = Vcd::to(&file).only("rx").only("u_receiver.*").only("u_queue.**").cycles("clk", 100..180);
-        sim.trace(vcd.words("u_queue.bytes", 0..4))?;
+        sim.trace(vcd.words("u_queue.words", 0..4))?;
         let (i, o) = (sim.i, sim.o);
         let t = &sim.testbench();
         t.run((far_end::sends(t, i.rx, b'T', 16), far_end::receives(t, o.tx, 16)));
         sim.finish()?;
 
         let waveform = fs::read_to_string(&file).unwrap();
-        assert!(waveform.contains(" bytes[3] ") && !waveform.contains(" bytes[4] "));
+        assert!(waveform.contains(" words[3] ") && !waveform.contains(" words[4] "));
         assert!(waveform.contains(" overrun ") && !waveform.contains(" u_sender "));
         Ok(())
     }

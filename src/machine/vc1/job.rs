@@ -48,10 +48,6 @@ impl Job for Vc1Job {
             .watch(|watch| machine.render_frames(self.background, watch, || views.next(), seen), Report::picoseconds)?;
         Ok((picture.expect("a view has a frame"), report))
     }
-
-    fn follows(&self) -> bool {
-        true
-    }
 }
 
 impl Compared for Vc1Job {
