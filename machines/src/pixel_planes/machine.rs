@@ -90,7 +90,7 @@ impl Machine {
     /// let machine = Machine::new(Config { renderers: 2, side: 16, ..Config::new(polygons.size) })?.following(&follower);
     /// machine.render(&polygons, scene.background, &mut Watch::default())?;
     /// let way = follower.take().expect("a frame was rendered");
-    /// assert!(way.first_difference().is_none() && way.steps.iter().any(|step| step.block == "linear-tree"));
+    /// assert!(way.first_difference().is_none() && way.steps.iter().any(|step| step.block == "backing-store"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn following(mut self, follower: &Follower) -> Machine {
