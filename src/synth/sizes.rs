@@ -21,9 +21,8 @@ pub fn sizes(block: &str) -> &'static [Size] {
         "gfb-unit" | "accumulating-gfb-unit" => &[&[("width", 160), ("height", 120), ("units", 16)]],
         "gfb-sequencer" => &[&[("width", 640), ("height", 480), ("units", 16)]],
         "accumulation" => &[&[("width", 160), ("height", 120)]],
-        "quadtree-set-up" | "quadtree-stack" | "coverage-test" | "quadtree-pixel" | "video-controller" => {
-            &[&[("width", 640), ("height", 480), ("columns", 4), ("rows", 4)]]
-        }
+        "quadtree-set-up" | "quadtree-stack" | "quadtree-pipe" | "coverage-test" | "quadtree-pixel"
+        | "video-controller" => &[&[("width", 640), ("height", 480), ("columns", 4), ("rows", 4)]],
         "video-buffer" => &[
             &[("width", 640), ("height", 480), ("columns", 4), ("rows", 4)],
             &[("width", 160), ("height", 120), ("columns", 4), ("rows", 4)],
