@@ -169,7 +169,7 @@ impl Packets {
     /// Drawing ends. Returns whether all packets have passed.
     pub fn ends(&self, edge: Edge, told: &mut Told) -> bool {
         let all = self.polygons.len();
-        for place in self.places.iter().filter(|it| it.passed < all) {
+        if let Some(place) = self.places.iter().find(|it| it.passed < all) {
             let step = nothing(place.unit.clone(), place.block, edge, place.does.to_owned(), "a packet");
             told.tell(step.of(Some(place.passed)).on(&place.valid));
             return false;

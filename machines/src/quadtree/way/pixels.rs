@@ -128,10 +128,8 @@ impl Pixels {
             });
         }
         if is_followed {
-            match primitives.iter_mut().find(|it| Some(it.number) == packet) {
-                Some(primitive) => primitive.hardware = Some(word),
-                None => {}
-            }
+            let primitive = primitives.iter_mut().find(|it| Some(it.number) == packet);
+            primitive.into_iter().for_each(|it| it.hardware = Some(word));
         }
         valid.then_some(Fragment { x: x as u32, y: y as u32, word, packet, is_followed })
     }

@@ -14,7 +14,7 @@ use crate::told::{At, Edge, Told, compared, yes};
 
 /// A part of the windows' way.
 pub(super) enum Link {
-    Passage(Passage),
+    Passage(Box<Passage>),
     Queue(Queue),
     Unit(Box<Unit>),
 }
@@ -78,7 +78,7 @@ pub(super) fn of(followed: &Followed, form: &Form, polygons: &Rc<[Polygon]>) -> 
     let passage = |links: &mut Vec<Link>, port: String, block: &'static str, size: u32| {
         let unit = format!("wire to `{port}`");
         let passage = Passage::new((links.len() as u32, &port), (&unit, block), size, (followed, polygons));
-        links.push(Link::Passage(passage));
+        links.push(Link::Passage(Box::new(passage)));
     };
     passage(&mut links, format!("{raster}.works"), "video-processor", from);
     for (number, part) in form.parts().iter().enumerate() {
