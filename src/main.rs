@@ -81,7 +81,7 @@ enum Command {
     Compare(compare::Compare),
     Golden(golden::Golden),
     Wave(wave::Wave),
-    Why(why::Why),
+    Why(Box<why::Why>),
     Debug(debug::Debug),
     View(view::View),
     Verilog(verilog::Verilog),

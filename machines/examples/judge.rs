@@ -11,7 +11,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use tilewright_hdl::{Block, Design, elaborate};
-use tilewright_machines::{Error, Follower, Watch, pixel_planes, pixelflow};
+use tilewright_machines::{Error, Follower, Watch, pixel_planes, pixelflow, quadtree, vc1};
 use tilewright_mutants::{Mutant, VARIABLE, block, mutants};
 use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::pixelflow::frame_buffer::FrameBuffer;
@@ -33,10 +33,18 @@ struct Subject {
     designs: fn() -> Vec<Design>,
 }
 
-const SUBJECTS: [Subject; 3] = [planes::SUBJECT, spheres::SUBJECT, flow::SUBJECT];
+const SUBJECTS: [Subject; 5] = [shared::SUBJECT, tree::SUBJECT, planes::SUBJECT, spheres::SUBJECT, flow::SUBJECT];
 
 /// Types of blocks whose names in the catalogue are others, with their machine.
-const NAMES: [(&str, &str, &str); 3] = [
+const NAMES: [(&str, &str, &str); 11] = [
+    ("vc1", "SwapControl", "vc1-swap"),
+    ("vc1", "Arbiter", "round-robin-arbiter"),
+    ("quadtree", "SetUp", "quadtree-set-up"),
+    ("quadtree", "Stack", "quadtree-stack"),
+    ("quadtree", "Pipe", "quadtree-pipe"),
+    ("quadtree", "Tree", "quadtree-tree"),
+    ("quadtree", "PixelProcessor", "quadtree-pixel"),
+    ("quadtree", "Arbiter", "round-robin-arbiter"),
     ("pixelflow", "PixelProcessor", "pixelflow-pixel"),
     ("pixelflow", "FrameBuffer", "pixelflow-frame-buffer"),
     ("pixel-planes-5-spheres", "Renderer", "quadratic-renderer"),
@@ -44,6 +52,75 @@ const NAMES: [(&str, &str, &str); 3] = [
 
 fn design<B: Block>(block: &B) -> Design {
     elaborate(block).expect("the machine's blocks can be built")
+}
+
+mod shared {
+    use super::*;
+    use tilewright_scenes::{golden, project};
+
+    pub const SUBJECT: Subject = Subject { name: "vc1", render, golden, designs };
+
+    fn scene() -> (Scene, vc1::Config) {
+        let (scene, size) = (Scene::builtin("star").expect("a built-in scene"), Size::new(32, 24).expect("in range"));
+        let config =
+            vc1::Config { processors: 3, apr: Some(20), cluster: 2, refresh: 5000.0, ..vc1::Config::new(size) };
+        (scene, config)
+    }
+
+    fn render(follower: Option<&Follower>) -> Result<Frame, Error> {
+        let (scene, config) = scene();
+        let projection = project(&scene, config.size).expect("in front");
+        let machine = vc1::Machine::new(config)?;
+        let machine = match follower {
+            Some(follower) => machine.following(follower),
+            None => machine,
+        };
+        machine.render(&projection, scene.background, &mut Watch::default()).map(|(frame, _)| frame)
+    }
+
+    fn golden() -> Frame {
+        let (scene, config) = scene();
+        let projection = project(&scene, config.size).expect("in front");
+        golden::render(config.size, &projection.triangles, scene.background)
+    }
+
+    fn designs() -> Vec<Design> {
+        vec![design(&scene().1.hardware().expect("a machine"))]
+    }
+}
+
+mod tree {
+    use super::*;
+    use tilewright_scenes::{Polygon, golden};
+
+    pub const SUBJECT: Subject = Subject { name: "quadtree", render, golden, designs };
+
+    fn scene() -> (Scene, Vec<Polygon>, quadtree::Config) {
+        let (scene, size) = (Scene::builtin("star").expect("a built-in scene"), Size::new(32, 24).expect("in range"));
+        let packets = project_polygons(&scene, size).expect("in front").polygons;
+        let usual = quadtree::Config::for_packets(size, &packets);
+        let config = quadtree::Config { matrix: (2, 2), form: "stack:1+pipe:2+tree:1".to_owned(), ..usual };
+        (scene, packets, config)
+    }
+
+    fn render(follower: Option<&Follower>) -> Result<Frame, Error> {
+        let (scene, packets, config) = scene();
+        let machine = quadtree::Machine::new(config)?;
+        let mut machine = match follower {
+            Some(follower) => machine.following(follower),
+            None => machine,
+        };
+        machine.render(&packets, scene.background, &mut Watch::default()).map(|(frame, _)| frame)
+    }
+
+    fn golden() -> Frame {
+        let (scene, packets, config) = scene();
+        golden::render(config.size, &packets, scene.background)
+    }
+
+    fn designs() -> Vec<Design> {
+        vec![design(&scene().2.generator().expect("a generator"))]
+    }
 }
 
 mod planes {
