@@ -376,6 +376,17 @@ fn random(state: &mut u64, most: usize) -> usize {
     ((z ^ (z >> 31)) % most as u64) as usize
 }
 
+/// The ends of runs that differ from the right one.
+const KINDS: [&str; 2] = ["a wrong frame", "no frame"];
+
+/// Mutants, those whose block the first difference names, and those of which it names the enclosing unit.
+#[derive(Clone, Copy, Default)]
+struct Counts {
+    all: usize,
+    named: usize,
+    enclosing: usize,
+}
+
 fn judge(subject: &Subject, count: usize, seed: u64) {
     let (designs, golden) = ((subject.designs)(), (subject.golden)());
     let mut modules: Vec<Vec<Mutant>> =
@@ -384,9 +395,11 @@ fn judge(subject: &Subject, count: usize, seed: u64) {
     // For a run without a frame: the first pixel that something covers.
     let covered = golden.words.iter().position(|word| word >> 24 != 0xff_ffff).unwrap_or(0) as u32;
     let covered = [covered % golden.size().width(), covered / golden.size().width()];
-    let (mut state, mut tried, mut changing, mut hit, mut enclosing) = (seed, 0, 0, 0, 0);
+    let (mut state, mut tried) = (seed, 0);
+    // Of wrong frames, and of runs without a frame.
+    let mut counts = [Counts::default(); 2];
     let mut misses = Vec::new();
-    while changing < count && !modules.is_empty() {
+    while counts[0].all < count && !modules.is_empty() {
         let module = random(&mut state, modules.len());
         let of_module = &mut modules[module];
         let mutant = of_module.swap_remove(random(&mut state, of_module.len()));
@@ -395,29 +408,28 @@ fn judge(subject: &Subject, count: usize, seed: u64) {
         }
         tried += 1;
         let sentence = mutant.to_string();
-        let (pixel, how) = match frames(subject, &sentence) {
+        let (pixel, kind) = match frames(subject, &sentence) {
             Frames::Same => continue,
-            Frames::Wrong(pixel) => (pixel, "wrong frame"),
-            Frames::None => (covered, "no frame"),
+            Frames::Wrong(pixel) => (pixel, 0),
+            Frames::None => (covered, 1),
         };
-        changing += 1;
+        let counts = &mut counts[kind];
+        counts.all += 1;
         let found = named(subject, &sentence, pixel);
         let right = catalogued(subject.name, &mutant.block);
         let is_parent = parents.get(&right).is_some_and(|parents| parents.contains(&found.block));
-        match () {
-            () if found.block == right => hit += 1,
-            () if is_parent => enclosing += 1,
-            () => {}
-        }
+        counts.named += usize::from(found.block == right);
+        counts.enclosing += usize::from(found.block != right && is_parent);
         if found.block != right {
             let is_parent = if is_parent { " (the enclosing unit)" } else { "" };
-            misses.push(format!("{sentence}\n    {how}: {}{is_parent}: {}", found.block, found.sentence));
+            misses.push(format!("{sentence}\n    {}: {}{is_parent}: {}", KINDS[kind], found.block, found.sentence));
             eprintln!("miss: {}", misses[misses.len() - 1]);
         }
     }
-    println!("| machine | mutants | change the frame | named | the enclosing unit | missed |");
+    println!("{tried} mutants\n\n| machine | the run ends with | mutants | named | the enclosing unit | missed |");
     println!("|---|---|---|---|---|---|");
-    let missed = changing - hit - enclosing;
-    println!("| {} | {tried} | {changing} | {hit} | {enclosing} | {missed} |", subject.name);
+    for (kind, Counts { all, named, enclosing }) in KINDS.into_iter().zip(counts) {
+        println!("| {} | {kind} | {all} | {named} | {enclosing} | {} |", subject.name, all - named - enclosing);
+    }
     misses.iter().for_each(|miss| println!("{miss}"));
 }

@@ -25,7 +25,7 @@ fn two_runs_give_the_same_bytes_and_no_file_names_its_place() {
     }
     let names = folders[0].names();
     assert_eq!(names, folders[1].names());
-    assert_eq!(names.len(), 35, "{names:?}");
+    assert_eq!(names.len(), 38, "{names:?}");
     let workspace = env!("CARGO_MANIFEST_DIR");
     for name in &names {
         let [one, two] = [0, 1].map(|i| std::fs::read(folders[i].path(name)).unwrap());

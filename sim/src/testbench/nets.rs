@@ -9,10 +9,28 @@ use crate::testbench::lookup::{self, Found};
 use crate::testbench::simulation::Simulation;
 
 /// Named signals of a circuit, for [`Simulation::numbers`].
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let mut sim = Simulation::of(&Counter)?;
+/// let nets: tilewright_sim::Nets = sim.nets(["count"])?;
+/// let mut numbers = [7];
+/// sim.numbers(&nets, &mut numbers);
+/// assert_eq!(numbers, [0]);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Nets(Vec<(ValueId, u32)>);
 
 /// A memory of a circuit, for [`Simulation::word`].
+///
+/// ```
+/// # use tilewright_sim::{Simulation, for_examples::Counter};
+/// let sim = Simulation::of(&Counter)?;
+/// let squares: tilewright_sim::Memory = sim.memory("squares")?;
+/// assert_eq!(sim.word(squares, 3), 9);
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Memory {
     index: u32,
@@ -51,7 +69,19 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(Nets(nets))
     }
 
-    /// The settled values of these nets, in the sequence of their names. [`Simulation::nets`] has an example.
+    /// The settled values of these nets, in the sequence of their names.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let nets = sim.nets(["enable", "count"])?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.step();
+    /// let mut numbers = [0; 2];
+    /// sim.numbers(&nets, &mut numbers);
+    /// assert_eq!(numbers, [1, 1]);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
@@ -87,7 +117,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(Memory { index, lane })
     }
 
-    /// A word of a memory. [`Simulation::memory`] has an example.
+    /// A word of a memory.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let sim = Simulation::of(&Counter)?;
+    /// let squares = sim.memory("squares")?;
+    /// assert_eq!(sim.word(squares, 5), 25);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
     ///
     /// # Panics
     ///
