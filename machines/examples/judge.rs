@@ -420,10 +420,13 @@ fn judge(subject: &Subject, count: usize, seed: u64) {
         let is_parent = parents.get(&right).is_some_and(|parents| parents.contains(&found.block));
         counts.named += usize::from(found.block == right);
         counts.enclosing += usize::from(found.block != right && is_parent);
-        if found.block != right {
-            let is_parent = if is_parent { " (the enclosing unit)" } else { "" };
-            misses.push(format!("{sentence}\n    {}: {}{is_parent}: {}", KINDS[kind], found.block, found.sentence));
-            eprintln!("miss: {}", misses[misses.len() - 1]);
+        match found.block == right {
+            true => eprintln!("named: {sentence}"),
+            false => {
+                let is_parent = if is_parent { " (the enclosing unit)" } else { "" };
+                misses.push(format!("{sentence}\n    {}: {}{is_parent}: {}", KINDS[kind], found.block, found.sentence));
+                eprintln!("miss: {}", misses[misses.len() - 1]);
+            }
         }
     }
     println!("{tried} mutants\n\n| machine | the run ends with | mutants | named | the enclosing unit | missed |");

@@ -26,7 +26,7 @@ condition or an enable does. It has the value, the cycle since when, and the sou
 that is 0 its zeros. The name is that of a waveform, such as `u_cell[3].sum`, or `squares[5]` for a word of a memory. Nothing has to be recorded before.
 
 A scene, with --pixel: the primitives that cover the pixel, and what each unit of the machine did with them, by time. A value stands beside that of a plain
-model with the same inputs where the two differ. `>` marks the first step that differs, and the last line names its block and that block's source file.
+model with the same inputs where the two differ. `>` marks the first step that differs and `!` later ones, and the last line names its block and that block's source file.
 The machine draws the frame as `render` does, and observes the pixel meanwhile. --pixel counts from the upper left corner, from 0 on.
 With -o a second run writes the waveform of the unit in 40 clocks around the first difference, or around the last step of the visible primitive if nothing differs.
 

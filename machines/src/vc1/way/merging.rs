@@ -135,9 +135,10 @@ impl Merging {
         self.count(sim, edge, edge.number % u64::from(self.processors), told);
     }
 
-    /// Looks at all scan counters where the run failed.
+    /// Looks at all scan counters where the run failed, unless it was before their first clock.
     pub fn fails(&self, sim: &mut Sim, told: &mut Told) {
-        (0..self.processors).for_each(|number| self.count(sim, merge(self.clock), number.into(), told));
+        let processors = if self.scan.is_some() { self.processors } else { 0 };
+        (0..processors).for_each(|number| self.count(sim, merge(self.clock), number.into(), told));
     }
 
     fn count(&self, sim: &mut Sim, edge: Edge, number: u64, told: &mut Told) {
