@@ -159,6 +159,33 @@ pub fn control(i: &Instruction<u64>, byte: u64) -> Control<u64> {
     }
 }
 
+/// The part of a pixel's control that has an effect; what has none is 0, so that controls with the same effect are equal.
+pub fn effect(c: &Control<u64>) -> Control<u64> {
+    let writes = c.mask != Mask::Nobody.code() && c.accumulates + c.stores > 0;
+    let keeps = [Function::Operand, Function::Word, Function::And, Function::Or, Function::ExclusiveOr];
+    let carries = !keeps.iter().any(|function| function.code() == c.function);
+    let flags = c.flagging != Flagging::Keep.code();
+    let (enters, by_sign) = (is_conditional(c.enabling), c.by_sign == 1);
+    let looks = flags || enters && !by_sign;
+    let if_so = |condition: bool, value: u64| if condition { value } else { 0 };
+    let works = writes || carries || looks;
+    Control {
+        source: if_so(works, c.source),
+        constant: if_so(works && c.source == Source::Constant.code(), c.constant),
+        function: if_so(works, c.function),
+        begin: if_so(works, c.begin),
+        mask: if_so(writes, c.mask),
+        accumulates: if_so(writes, c.accumulates),
+        stores: if_so(writes, c.stores),
+        condition: if_so(looks, c.condition),
+        enabling: c.enabling,
+        by_sign: if_so(enters, c.by_sign),
+        flagging: c.flagging,
+        read: if_so(works, c.read),
+        write: if_so(writes && c.stores == 1, c.write),
+    }
+}
+
 /// Whether the change of the enable flags depends on a condition.
 pub(super) fn is_conditional(enabling: u64) -> bool {
     [Enabling::Replace, Enabling::Restrict, Enabling::Push].iter().any(|it| it.code() == enabling)

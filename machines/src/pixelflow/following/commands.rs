@@ -2,11 +2,11 @@
 
 use std::collections::VecDeque;
 
-use tilewright_hdl::Codes;
+use tilewright_hdl::{Bundle, Codes};
 use tilewright_rtl::pixel_planes::schedule::{Schedule, Times};
-use tilewright_rtl::pixelflow::emulator::{control, signed};
+use tilewright_rtl::pixelflow::emulator::{control, effect, signed};
 use tilewright_rtl::pixelflow::instruction::{Instruction, LONGEST, Sync};
-use tilewright_rtl::pixelflow::pixel::{Condition, Control, Enabling, Flagging, Function, Mask, Source};
+use tilewright_rtl::pixelflow::pixel::{Control, Enabling, Flagging, Function, Mask, Source};
 use tilewright_rtl::pixelflow::schedule::step;
 
 use crate::trail::Checks;
@@ -98,70 +98,20 @@ pub(super) struct Commands {
 
 /// The instruction of those fields.
 pub(super) fn instruction(fields: [u64; 18]) -> Instruction<u64> {
-    let [source, function, begin, mask, accumulates, stores, condition, enabling, flagging, skip, length, rest @ ..] =
-        fields;
-    let [descends, read, write, sync, a, b, c] = rest;
-    Instruction {
-        source,
-        function,
-        begin,
-        mask,
-        accumulates,
-        stores,
-        condition,
-        enabling,
-        flagging,
-        skip,
-        length,
-        descends,
-        read,
-        write,
-        sync,
-        a,
-        b,
-        c,
-    }
+    record::<Instruction, 18>(&Instruction::NOTHING, fields)
 }
 
 /// The control of those fields, if all of them are codes.
 pub(super) fn control_of(fields: [u64; 13]) -> Option<Control<u64>> {
-    let [
-        source,
-        constant,
-        function,
-        begin,
-        mask,
-        accumulates,
-        stores,
-        condition,
-        enabling,
-        by_sign,
-        flagging,
-        read,
-        write,
-    ] = fields;
-    let is_sound = (function as usize) < Function::ALL.len()
-        && begin < 3
-        && condition < 3
-        && (enabling as usize) < Enabling::ALL.len()
-        && flagging < 3
-        && read < 384
-        && write < 384;
-    is_sound.then_some(Control {
-        source,
-        constant,
-        function,
-        begin,
-        mask,
-        accumulates,
-        stores,
-        condition,
-        enabling,
-        by_sign,
-        flagging,
-        read,
-        write,
-    })
+    let c = record::<Control, 13>(&Control::ZERO, fields);
+    let is_sound = (c.function as usize) < Function::ALL.len()
+        && c.begin < 3
+        && c.condition < 3
+        && (c.enabling as usize) < Enabling::ALL.len()
+        && c.flagging < 3
+        && c.read < 384
+        && c.write < 384;
+    is_sound.then_some(c)
 }
 
 impl Commands {
@@ -245,7 +195,6 @@ impl Commands {
         let words = || self.under_way.iter().filter_map(|it| Some((it, it.byte(sent_in)?, step(&it.instruction))));
         let on_memory = words().find(|(.., step)| step.on_memory);
         let on_tree = words().find(|(.., step)| step.on_tree);
-        let effect = |fields: [u64; 13]| control_of(fields).map(|control| effect(&control));
         let nothing =
             Instruction { flagging: Flagging::Keep.code(), mask: Mask::Nobody.code(), ..Instruction::NOTHING };
         let memory =
@@ -253,8 +202,8 @@ impl Commands {
         let tree =
             on_tree.as_ref().map_or_else(|| control(&nothing, 0), |(it, byte, _)| control(&it.instruction, *byte));
         let right = Control { enabling: tree.enabling, by_sign: tree.by_sign, ..memory };
-        let right = fields_of(&self::effect(&right));
-        match effect(sent) {
+        let right = fields_of(&effect(&right));
+        match control_of(sent).map(|sent| effect(&sent)) {
             Some(seen) => CONTROL.into_iter().zip(fields_of(&seen)).zip(right).for_each(|((name, seen), right)| {
                 checks.same(name, seen, right);
             }),
@@ -269,47 +218,18 @@ impl Commands {
     }
 }
 
-fn fields_of(c: &Control<u64>) -> [u64; 13] {
-    [
-        c.source,
-        c.constant,
-        c.function,
-        c.begin,
-        c.mask,
-        c.accumulates,
-        c.stores,
-        c.condition,
-        c.enabling,
-        c.by_sign,
-        c.flagging,
-        c.read,
-        c.write,
-    ]
+/// A record of these numbers, in the sequence of its fields; `like` is any record of its kind.
+fn record<B: Bundle, const N: usize>(like: &B::Of<u64>, numbers: [u64; N]) -> B::Of<u64> {
+    let mut numbers = numbers.into_iter();
+    B::convert_leaves(like, &mut |_: &u64| numbers.next().expect("a number for each field"))
 }
 
-/// The part of a pixel's control that has an effect, if any.
-fn effect(c: &Control<u64>) -> Control<u64> {
-    let writes = c.mask != Mask::Nobody.code() && c.accumulates + c.stores > 0;
-    let keeps = [Function::Operand, Function::Word, Function::And, Function::Or, Function::ExclusiveOr];
-    let carries = !keeps.iter().any(|function| function.code() == c.function);
-    let flags = c.flagging != Flagging::Keep.code();
-    let enters = [Enabling::Replace, Enabling::Restrict, Enabling::Push].iter().any(|it| it.code() == c.enabling);
-    let looks = flags || enters && c.by_sign == 0;
-    let if_so = |condition: bool, value: u64| if condition { value } else { 0 };
-    let works = writes || carries || looks;
-    Control {
-        source: if_so(works, c.source),
-        constant: if_so(works && c.source == Source::Constant.code(), c.constant),
-        function: if_so(works, c.function),
-        begin: if_so(works, c.begin),
-        mask: if_so(writes, c.mask),
-        accumulates: if_so(writes, c.accumulates),
-        stores: if_so(writes, c.stores),
-        condition: if_so(looks, if looks { c.condition } else { Condition::Positive.code() }),
-        enabling: c.enabling,
-        by_sign: if_so(enters, c.by_sign),
-        flagging: c.flagging,
-        read: if_so(works, c.read),
-        write: if_so(writes && c.stores == 1, c.write),
-    }
+/// The numbers of the fields of a control.
+fn fields_of(control: &Control<u64>) -> Vec<u64> {
+    let mut numbers = Vec::new();
+    <Control as Bundle>::convert_leaves(control, &mut |number: &u64| {
+        numbers.push(*number);
+        *number
+    });
+    numbers
 }

@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
-use super::super::emulator::{byte_of, signed};
-use super::super::model::{controls, effect, step};
+use super::super::emulator::{byte_of, effect, signed};
+use super::super::model::{controls, step};
 use super::super::pixel::Begin;
 use super::super::testing::{edge, instructions, triangle};
 use super::*;
