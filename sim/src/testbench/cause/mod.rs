@@ -19,6 +19,7 @@ mod walk;
 use tilewright_hdl::ir::Kind;
 use tilewright_hdl::{Bits, Bundle, Loc};
 
+use crate::engine::program::Triggers;
 use crate::testbench::attach::Probe;
 use crate::testbench::error::{Error, UnknownName};
 use crate::testbench::lookup::{self, Found};
@@ -224,8 +225,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// a word of a memory: the registers and inputs that decided it, back to where it came from.
     ///
     /// A simulation that remembers its past ([`Simulation::remember`]) goes back for it, and then returns to the
-    /// present. Otherwise the causes are those of one cycle, and also while a trace is attached, which cannot go back.
-    /// The tree is within [`Limits::default`].
+    /// present. A trace sees nothing of this. Otherwise the causes are those of one cycle. The tree is within
+    /// [`Limits::default`].
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -282,15 +283,27 @@ impl Running {
             Place::Value(id) => self.program.circuit[id].width,
         };
         let limits = Limits { depth: limits.depth.min(1000), ..limits.clone() };
-        let now = self.timeline.time();
-        let mut walk = Walk::new(self, &limits);
-        let walked = walk.run(place, lane, mask::all(width));
-        let cause = walk.tree();
-        self.end_visits();
-        if self.timeline.time() != now {
-            self.go_to(now)?;
-        }
-        walked.map(|()| Cause { name, ..cause })
+        self.unobserved(|running| {
+            let now = running.timeline.time();
+            let mut walk = Walk::new(running, &limits);
+            let walked = walk.run(place, lane, mask::all(width));
+            let cause = walk.tree();
+            running.end_visits();
+            if running.timeline.time() != now {
+                running.go_to(now)?;
+            }
+            walked.map(|()| Cause { name, ..cause })
+        })
+    }
+
+    /// Does something that ends at the present time, without traces, which have no time that goes back.
+    fn unobserved<T>(&mut self, work: impl FnOnce(&mut Running) -> T) -> T {
+        let observers = std::mem::take(&mut self.observers);
+        let done = work(self);
+        self.observers = observers;
+        // The engine was elsewhere meanwhile: they look at everything again.
+        self.may_have_changed(Triggers::ALL);
+        done
     }
 
     /// What is asked about: its name, and where it is.

@@ -272,10 +272,8 @@ impl Walk<'_> {
     /// Goes back to the last time at which something that is stored was set, or before which it was written, and puts
     /// what decided that in its place. If there is none, goes to the earliest time.
     fn go_to_the_last_write(&mut self) -> Result<bool, Error> {
-        let earliest = match (&self.running.past, self.running.observers.is_empty()) {
-            (Some(past), true) => past.earliest(),
-            _ => return Ok(false),
-        };
+        let Some(past) = &self.running.past else { return Ok(false) };
+        let earliest = past.earliest();
         let periods = self.program.clocks.iter().map(|clock| clock.period);
         let period = periods.min().unwrap_or(DEFAULT_PERIOD.picoseconds());
         let (mut end, mut instants) = (self.running.timeline.time(), 1);

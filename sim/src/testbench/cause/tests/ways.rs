@@ -3,7 +3,7 @@
 use tilewright_hdl::{Clock, Module, Period, ReadUnderWrite, bit, bits, block, def, mux};
 
 use crate::testbench::cause::{Cause, End, Limits};
-use crate::{EngineKind, Error, Simulation};
+use crate::{EngineKind, Error, Simulation, Vcd};
 
 block! {
     /// Keeps what it is given under an address, and gives what was kept last.
@@ -152,5 +152,39 @@ fn each_step_has_the_cycle_of_its_own_clock() -> Result<(), Error> {
     assert_eq!(told[0], step("late", "8", "clk", 12));
     assert_eq!(told[1], step("early", "8", "slow", 3));
     assert_eq!((told[2].0.as_str(), cause.causes[0].causes[0].end), ("x", Some(End::Input)));
+    Ok(())
+}
+
+#[test]
+fn a_trace_neither_stops_the_way_back_nor_sees_it() -> Result<(), Error> {
+    let folder = tempfile::tempdir().unwrap();
+    for kind in [EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Reference] {
+        let run = |asks: bool| -> Result<_, Error> {
+            let path = folder.path().join("shelf.vcd");
+            let mut sim = shelf(kind);
+            sim.trace(Vcd::to(&path))?;
+            let recorder = sim.recording();
+            let mut trees = Vec::new();
+            for step in 0..300_u64 {
+                sim.set(sim.i.put, step % 3 == 0);
+                sim.set(sim.i.at, step % 4);
+                sim.set(sim.i.what, step % 251);
+                sim.set(sim.i.latch, step % 5 == 0);
+                sim.step();
+                if asks && step % 50 == 49 {
+                    trees.push(sim.why_within("seen", &Limits { depth: 3, ..Limits::default() })?);
+                }
+            }
+            sim.finish()?;
+            Ok((std::fs::read(&path).unwrap(), recorder.take(), trees))
+        };
+        let (plain, asking) = (run(false)?, run(true)?);
+        assert!(asking.0 == plain.0, "the waveform is another one");
+        assert_eq!((asking.1, asking.2.len()), (plain.1, 6));
+        for tree in asking.2 {
+            assert!(tree.iter().all(|cause| cause.end != Some(End::Unremembered)), "{tree}");
+            assert!(tree.iter().any(|cause| cause.cycle + 1 < tree.cycle), "{tree}");
+        }
+    }
     Ok(())
 }
