@@ -1,6 +1,6 @@
 //! Runs the programs that check printed Verilog: four linters, two simulators, and Yosys's replay of a dump. [`cells`]
-//! and [`place`] tell what a design takes of an FPGA, and how fast it is there. [`Compiler`] builds a fast simulator
-//! from it, for comparisons of speed.
+//! and [`place`] tell what a design takes of an FPGA, and how fast it is there. [`Simulator`] gives the waveform of a
+//! testbench. [`Compiler`] builds a fast simulator from it, for comparisons of speed.
 //!
 //! The checks are meant for tests, of this crate and of others. If a program is missing, a check prints
 //! `skipped: NAME is not installed` and counts as skipped. With the environment variable `CI` set it fails instead,
@@ -8,6 +8,7 @@
 
 mod binary;
 mod device;
+mod dump;
 mod linters;
 mod model;
 mod placement;
@@ -18,6 +19,7 @@ mod watched;
 
 pub use binary::verilated;
 pub use device::Device;
+pub use dump::{Dump, DumpError, Simulator};
 pub use linters::{lint, lint_all, lint_quickly};
 pub use model::{Compiler, Model, Source};
 pub use placement::{Frequency, Placed, place};
