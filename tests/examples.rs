@@ -19,7 +19,7 @@ struct Crate {
     closed: &'static [&'static str],
 }
 
-const CRATES: [Crate; 5] = [
+const CRATES: [Crate; 6] = [
     Crate {
         root: "hdl/src",
         uses: &["lib.rs", "ir/mod.rs"],
@@ -28,6 +28,7 @@ const CRATES: [Crate; 5] = [
     },
     Crate { root: "blocks/src", uses: &["lib.rs"], open: &[], closed: &[] },
     Crate { root: "report/src", uses: &["lib.rs"], open: &["browser.rs"], closed: &[] },
+    Crate { root: "view/src", uses: &["lib.rs"], open: &["export.rs"], closed: &["for_examples.rs"] },
     // The printer's parts have names that the tools have too.
     Crate { root: "gen/src", uses: &["lib.rs", "tools/mod.rs"], open: &[], closed: &["verilog/"] },
     // What a circuit is compiled to is explained in `sim/docs/engine.md`.

@@ -5,6 +5,8 @@
 
 mod connection;
 pub mod export;
+#[doc(hidden)]
+pub mod for_examples;
 mod guard;
 mod page;
 mod picture;

@@ -164,6 +164,13 @@ pub struct Write {
 
 impl Picture {
     /// The data of the page, as JSON.
+    ///
+    /// ```
+    /// use tilewright_view::for_examples::picture;
+    ///
+    /// let json = String::from_utf8(picture().json()).unwrap();
+    /// assert!(json.starts_with('{') && json.contains("\"machine\":\"vc1\""));
+    /// ```
     pub fn json(&self) -> Vec<u8> {
         serde_json::to_vec(self).expect("it has names for keys and finite numbers")
     }

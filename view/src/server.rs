@@ -36,6 +36,15 @@ pub struct Server {
 impl Server {
     /// A server on that port, or on a free one.
     ///
+    /// ```
+    /// use tilewright_view::Server;
+    ///
+    /// let server = Server::bind(None)?;
+    /// let port = server.address().split([':', '/']).nth(4).unwrap().parse().unwrap();
+    /// assert!(Server::bind(Some(port)).is_err()); // it is in use
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// The port is in use ([`ErrorKind::AddrInUse`]) or not allowed; the system has no random numbers.
     pub fn bind(port: Option<u16>) -> io::Result<Server> {
@@ -47,11 +56,32 @@ impl Server {
     }
 
     /// The address of the page.
+    ///
+    /// ```
+    /// # use tilewright_view::Server;
+    /// // Each server has a secret of its own.
+    /// assert_ne!(Server::bind(None)?.address(), Server::bind(None)?.address());
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
     pub fn address(&self) -> String {
         format!("http://127.0.0.1:{}/{}/", self.port, self.secret)
     }
 
     /// Answers until it is to stop, each request in a thread, so that a slow reader stops nobody.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use tilewright_view::{Server, Site, for_examples::Empty};
+    ///
+    /// let site: Arc<dyn Site> = Arc::new(Empty);
+    /// let mut looks = 0;
+    /// Server::bind(None)?.serve(&site, || {
+    ///     looks += 1;
+    ///     looks > 2
+    /// });
+    /// assert_eq!(looks, 3);
+    /// # Ok::<(), std::io::Error>(())
+    /// ```
     pub fn serve(&self, site: &Arc<dyn Site>, mut is_to_stop: impl FnMut() -> bool) {
         let count = Arc::new(AtomicUsize::new(0));
         while !is_to_stop() {

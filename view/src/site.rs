@@ -24,13 +24,31 @@ use crate::Page;
 /// ```
 pub trait Site: Send + Sync {
     /// The page that shows it.
+    ///
+    /// ```
+    /// use tilewright_view::{Page, Site, for_examples::Empty};
+    ///
+    /// assert!(matches!(Empty.page(), Page::Frame));
+    /// ```
     fn page(&self) -> Page;
 
     /// What the page has to know before it asks for data: a JSON object.
+    ///
+    /// ```
+    /// use tilewright_view::{Site, for_examples::Empty};
+    ///
+    /// assert_eq!(Empty.about(), "{}");
+    /// ```
     fn about(&self) -> String;
 
     /// The data of that name, such as `frame/vc1`. It returns soon, and the page asks again while the data are being made. The query is
     /// what follows a `?`.
+    ///
+    /// ```
+    /// use tilewright_view::{Answer, Site, for_examples::Empty};
+    ///
+    /// assert_eq!(Empty.data("frame/vc1", "clock=3"), Answer::Unknown);
+    /// ```
     fn data(&self, name: &str, query: &str) -> Answer;
 }
 
