@@ -12,8 +12,8 @@
 use crate::Campaign;
 use crate::drawn::Kind;
 use crate::stimulus::Numbers;
+use crate::tally::tally;
 use std::collections::BTreeMap;
-use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use tilewright_hdl::ir::{Design, Shape};
 use tilewright_hdl::{Bits, Reset};
@@ -27,48 +27,25 @@ const FORCED: usize = 4;
 const TRIES: usize = 24;
 const FLIPS: usize = 24;
 
-/// What was found.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Found {
-    /// Designs.
-    pub designs: u64,
-    /// Cones, of one clock and of many.
-    pub cones: u64,
-    /// Leaf bits of these.
-    pub leaves: u64,
-    /// How often everything but the leaves was forced.
-    pub forced: u64,
-    /// Leaf bits that were given another value, and those of them that are live.
-    pub flipped: u64,
-    /// See `flipped`.
-    pub live: u64,
-    /// Cones that answer.
-    pub answer: u64,
-    /// Deaf cones.
-    pub deaf: u64,
-}
-
-impl Found {
-    fn add(&mut self, other: Found) {
-        self.designs += other.designs;
-        self.cones += other.cones;
-        self.leaves += other.leaves;
-        self.forced += other.forced;
-        self.flipped += other.flipped;
-        self.live += other.live;
-        self.answer += other.answer;
-        self.deaf += other.deaf;
-    }
-}
-
-impl fmt::Display for Found {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Found { designs, cones, leaves, forced, flipped, live, answer, deaf } = self;
-        write!(
-            f,
-            "designs: {designs}, cones: {cones}, leaf bits: {leaves}, forced: {forced}, flipped: {flipped}, \
-             live: {live}, cones that answer: {answer}, deaf: {deaf}"
-        )
+tally! {
+    /// What was found.
+    pub struct Found {
+        /// Designs.
+        designs: "designs",
+        /// Cones, of one clock and of many.
+        cones: "cones",
+        /// Leaf bits of these.
+        leaves: "leaf bits",
+        /// How often everything but the leaves was forced.
+        forced: "forced",
+        /// Leaf bits that were given another value.
+        flipped: "flipped",
+        /// Those of them that are live.
+        live: "live",
+        /// Cones that answer.
+        answer: "cones that answer",
+        /// Deaf cones.
+        deaf: "deaf",
     }
 }
 
@@ -364,7 +341,7 @@ pub fn run(kind: Kind, seed: u64, first: u64, designs: u64) -> (Found, Vec<u64>)
         let kind = if number % 32 == 5 { EngineKind::Compiled } else { EngineKind::Interpreter };
         let check = || check(design, drawn.stimulus().seed ^ number, kind);
         match catch_unwind(AssertUnwindSafe(check)) {
-            Ok(found) => all.add(found),
+            Ok(found) => all += found,
             Err(_) => failing.push(number),
         }
     }

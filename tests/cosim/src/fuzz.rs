@@ -10,7 +10,7 @@ use crate::drawn::{Drawn, Kind};
 use crate::edit::edit;
 use crate::spec::Stimulus;
 use crate::stimulus::{Numbers, one_or_two, passes, record};
-use std::fmt;
+use crate::tally::tally;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -26,40 +26,17 @@ const PATIENCE: u64 = 300;
 const EDITED: u64 = 12;
 const PLACES: u64 = 3;
 
-/// What has run.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Tally {
-    /// Designs, as they were drawn.
-    pub designs: u64,
-    /// Edited designs that keep all rules.
-    pub edited: u64,
-    /// Edited designs that were refused.
-    pub refused: u64,
-    /// Instants, on both engines.
-    pub instants: u64,
-}
-
-impl Tally {
-    fn numbers(self) -> [u64; 4] {
-        [self.designs, self.edited, self.refused, self.instants]
-    }
-
-    fn of([designs, edited, refused, instants]: [u64; 4]) -> Tally {
-        Tally { designs, edited, refused, instants }
-    }
-
-    /// What [`fmt::Display`] printed, in the last line of a text.
-    fn read(text: &str) -> Option<Tally> {
-        let numbers = text.lines().last()?.split(|c: char| !c.is_ascii_digit()).filter(|part| !part.is_empty());
-        let numbers: Vec<u64> = numbers.map_while(|number| number.parse().ok()).collect();
-        Some(Tally::of(numbers.try_into().ok()?))
-    }
-}
-
-impl fmt::Display for Tally {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Tally { designs, edited, refused, instants } = self;
-        write!(f, "designs: {designs}, edited and run: {edited}, edited and refused: {refused}, instants: {instants}")
+tally! {
+    /// What has run.
+    pub struct Tally {
+        /// Designs, as they were drawn.
+        designs: "designs",
+        /// Edited designs that keep all rules.
+        edited: "edited and run",
+        /// Edited designs that were refused.
+        refused: "edited and refused",
+        /// Instants, on both engines.
+        instants: "instants",
     }
 }
 
@@ -128,13 +105,12 @@ fn run_with_edits(spec: &Drawn, number: u64) -> Tally {
 /// The engines differ, or something panics.
 pub fn run_here(kind: Kind, seed: u64, first: u64, designs: u64) -> Tally {
     let campaign = Campaign { kind, ..Campaign::icarus(seed, designs) };
-    (first..first + designs).fold(Tally::default(), |tally, number| {
+    let mut tally = Tally::default();
+    for number in first..first + designs {
         println!("design {number}");
-        let one = run_with_edits(&campaign.design(number), number).numbers();
-        let mut sum = tally.numbers();
-        sum.iter_mut().zip(one).for_each(|(sum, one)| *sum += one);
-        Tally::of(sum)
-    })
+        tally += run_with_edits(&campaign.design(number), number);
+    }
+    tally
 }
 
 /// Runs designs of a seed, from a number on, for so long, so many processes at a time; gives what went wrong.
@@ -146,11 +122,7 @@ pub fn run_for(kind: Kind, seed: u64, first: u64, time: Duration, jobs: usize) -
             let result = in_a_process(kind, seed, next.fetch_add(TOGETHER, Ordering::Relaxed));
             let mut all = all.lock().expect("no panic while collecting");
             match result {
-                Ok(tally) => {
-                    let sum = all.0.numbers().into_iter().zip(tally.numbers()).map(|(a, b)| a + b);
-                    let sum: Vec<u64> = sum.collect();
-                    all.0 = Tally::of(sum.try_into().expect("as many as there were"));
-                }
+                Ok(tally) => all.0 += tally,
                 Err(what) => all.1.push(what),
             }
         }

@@ -36,6 +36,7 @@ pub mod spec;
 pub mod stimulus;
 pub mod strategy;
 pub mod streams;
+mod tally;
 pub mod workers;
 
 pub use campaign::{Campaign, Failure, Summary};
