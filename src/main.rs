@@ -37,6 +37,7 @@ mod view;
 mod viewer;
 mod watch;
 mod wave;
+mod wcp;
 mod why;
 
 use clap::{Parser, Subcommand};

@@ -3,6 +3,7 @@
 mod causes;
 mod condition;
 mod draw;
+mod follow;
 mod instants;
 mod keys;
 mod layout;
@@ -18,6 +19,7 @@ mod tests;
 use crate::block::{BlockArguments, design, simulation};
 use crate::moment::{Moment, play_remembered};
 use crate::shell::{Exit, Failure, progress};
+use crate::wcp::ViewerOptions;
 use clap::Args;
 use page::{check_terminal, show};
 use state::{Ended, State};
@@ -41,7 +43,10 @@ r runs to a condition, R runs back to one, such as `used == 3`, `state != Idle`,
 w tells the causes of the selected net's value, as `why` does: ↓ and ↑ walk among them, Enter goes to the net and the cycle of one.
 ? shows all keys, q quits. Those of the page of `view` have the same meaning here.
 
-Exit code 1 means that an assertion of the block fails. The page shows the run up to there. Exit code 2 also means that there is no terminal.")]
+With --wcp or --wcp-wait, as in `debug fifo --wcp`, the cursor of a viewer follows the clock, in a waveform that `tilewright wave` wrote of the same block. In Surfer's menu of a variable, `Go to
+declaration` selects its net here, and `Add drivers` tells the causes of its value. Where the viewer tells of its own cursor, the clock follows that.
+
+Exit code 1 means that an assertion of the block fails. The page shows the run up to there. Exit code 2 also means that there is no terminal, and 4 that there is no viewer.")]
 pub struct Debug {
     #[command(flatten)]
     block: BlockArguments,
@@ -50,6 +55,8 @@ pub struct Debug {
     signal: Option<String>,
     #[command(flatten)]
     moment: Moment,
+    #[command(flatten)]
+    viewer: ViewerOptions,
 }
 
 impl Debug {
@@ -59,8 +66,9 @@ impl Debug {
         let (entry, values) = self.block.find()?;
         let design = design(entry, &values)?;
         let (mut state, failed) = self.state(entry, &values, &design)?;
+        let viewer = self.viewer.viewer()?;
         progress::end();
-        match (show(&mut state)?, failed) {
+        match (show(&mut state, viewer)?, failed) {
             (Ended::Quit, None) => Ok(Exit::Done),
             (Ended::Quit, Some(failed)) => Err(failed),
             (Ended::Interrupted, _) => Ok(Exit::Interrupted),

@@ -228,7 +228,7 @@ impl State {
     }
 
     /// Looks for the causes of the selected net's value.
-    fn ask_why(&mut self) -> Result<(), Error> {
+    pub(super) fn ask_why(&mut self) -> Result<(), Error> {
         let Some(name) = self.net().map(|net| net.name.clone()) else { return Ok(()) };
         self.sim.go_to(self.now)?;
         let cause = self.sim.why(name.as_str())?;
@@ -245,7 +245,13 @@ impl State {
             self.message = format!("{} is no net: this is the cycle since when it has its value", line.name);
         }
         self.now = time;
-        let Some(net) = net else { return };
+        if let Some(net) = net {
+            self.select_net(net);
+        }
+    }
+
+    /// Selects a net by its number. If it is not listed, all are.
+    pub(super) fn select_net(&mut self, net: usize) {
         if !self.listed.contains(&net) {
             self.list("");
         }

@@ -5,6 +5,8 @@ use super::layout::Layout;
 use super::state::{Ended, Mode, State};
 use crate::block::{design, entries, simulation};
 use crate::moment::play_remembered;
+use crate::shell::crash;
+use crate::wcp::Event;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -208,4 +210,65 @@ fn every_page_fits_every_window() {
         assert!(page(&mut it, 39, 24).starts_with("the window needs 40 columns and 12 lines\n\n".get(..39).unwrap()));
         assert!(page(&mut it, 80, 5).starts_with("the window needs 40 columns and 12 lines\n"));
     }
+}
+
+#[test]
+fn what_a_viewer_s_user_does_moves_the_page() {
+    let mut it = state("fifo");
+    it.follow(&Event::CursorMoved { timestamp: 43_210 }).unwrap();
+    assert_eq!(it.now, 40_000);
+    it.follow(&Event::CursorMoved { timestamp: 30_000 }).unwrap();
+    assert_eq!(it.now, 30_000);
+    it.follow(&Event::CursorMoved { timestamp: u64::MAX }).unwrap();
+    assert_eq!(it.now, 130_000);
+    keys(&mut it, "/out enter");
+    let declared = |name: &str, timestamp| Event::GotoDeclaration { variable: name.to_owned(), timestamp };
+    it.follow(&declared("fifo.used", Some(25_000))).unwrap();
+    assert_eq!((place(&it), it.listed.len()), ((2, "used"), 13));
+    it.follow(&declared("fifo.usde", None)).unwrap();
+    assert_eq!((place(&it), it.message.as_str()), ((2, "used"), "the viewer's usde is no net of this block"));
+    it.follow(&Event::AddDrivers { variable: "fifo.out_valid".to_owned() }).unwrap();
+    let Mode::Causes(causes) = &it.mode else { panic!("no causes are told") };
+    assert!(causes.lines[0].text.starts_with("out_valid = "), "{causes:?}");
+    it.follow(&Event::Other).unwrap();
+    assert_eq!(it.now, 20_000);
+}
+
+/// Shows a page that panics, as the program would. The test below runs this in a terminal.
+#[test]
+#[ignore = "it needs a terminal, which another test gives it"]
+fn a_page_that_panics() {
+    let mut it = state("fifo");
+    it.listed = vec![1000];
+    let ended = crash::guard(|| super::page::show(&mut it, None).map(|_| crate::shell::Exit::Done));
+    std::process::exit(ended.map_or(1, |exit| exit as i32));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_panic_leaves_the_terminal_as_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let shell = |line: &str| {
+        let run =
+            std::process::Command::new("sh").args(["-c", line]).env("TERM", "xterm").current_dir(&folder).output();
+        let run = run.unwrap();
+        (run.status.code(), String::from_utf8_lossy(&run.stdout).into_owned())
+    };
+    // Without `script` no terminal can be made.
+    if shell("script -qec true typescript </dev/null").0 != Some(0) {
+        return;
+    }
+    let program = std::env::current_exe().unwrap();
+    let test = format!("{} --ignored --exact --nocapture debug::tests::a_page_that_panics", program.display());
+    let inside = format!("stty rows 24 columns 80; stty -g > before; {test}; code=$?; stty -g > after; exit $code");
+    let (code, text) = shell(&format!("sleep 1 | script -qec '{inside}' typescript"));
+    assert_eq!(code, Some(70), "{text}");
+    let settings = ["before", "after"].map(|name| std::fs::read_to_string(folder.path().join(name)).unwrap());
+    assert_eq!(settings[0], settings[1]);
+    // The sentence comes after the page is left, so that it can be read.
+    let (_, after) = text.rsplit_once("\u{1b}[?1049l").unwrap();
+    assert!(
+        text.contains("\u{1b}[?1049h") && after.contains("error: this is a mistake in tilewright at src/debug/"),
+        "{text}"
+    );
 }

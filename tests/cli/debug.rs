@@ -3,6 +3,9 @@
 
 use crate::cli::harness::{Folder, Run};
 use crate::cli::terminal::has_terminals;
+use std::io::{BufRead, BufReader, Write};
+use std::net::TcpListener;
+use std::thread;
 
 /// Runs a page in a terminal of 80 x 24 characters with these keys, as `printf` has them; `None` where no terminal can be made.
 pub fn on_the_page(folder: &Folder, arguments: &str, keys: &str) -> Option<Run> {
@@ -57,4 +60,40 @@ fn what_there_is_not_is_said_with_a_remedy() {
         let Some(run) = on_the_page(&folder, arguments, "q") else { return };
         assert!(run.code == Some(2) && run.stdout.trim_end().ends_with(sentence), "{arguments}: {run:?}");
     }
+}
+
+#[test]
+fn a_viewer_s_cursor_follows_the_clock() {
+    let folder = Folder::new();
+    if !has_terminals(&folder) {
+        return;
+    }
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = listener.local_addr().unwrap().port();
+    // Surfer, by the messages that it sends.
+    let surfer = thread::spawn(move || {
+        let (mut stream, _) = listener.accept().unwrap();
+        let messages = BufReader::new(stream.try_clone().unwrap()).split(0);
+        let mut messages = messages.map(|message| String::from_utf8(message.unwrap()).unwrap());
+        let greeting = messages.next().unwrap();
+        assert!(greeting.starts_with(r#"{"type":"greeting","version":"0","commands":["#), "{greeting}");
+        stream.write_all(b"{\"type\":\"greeting\",\"version\":\"0\",\"commands\":[\"cursor_set\"]}\0").unwrap();
+        messages.collect::<Vec<String>>()
+    });
+    let run = on_the_page(&folder, &format!("fifo --at 3 --signal used --wcp {port}"), "lq").unwrap();
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let command = |name: &str, time: u64| format!(r#"{{"type":"command","command":"{name}","timestamp":{time}}}"#);
+    let both = |time| [command("set_cursor", time), command("set_viewport_to", time)];
+    assert_eq!(surfer.join().unwrap(), [both(30_000), both(40_000)].concat());
+    // Nobody listens there.
+    let free = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
+    let run = on_the_page(&folder, &format!("fifo --wcp {free}"), "q").unwrap();
+    let words = format!("error: no viewer listens on {free} (");
+    let remedy = "): start the viewer's WCP server, in Surfer by the command `wcp_server_start`";
+    assert!(run.code == Some(4) && run.stdout.contains(&words) && run.stdout.trim_end().ends_with(remedy), "{run:?}");
+    let run = on_the_page(&folder, "fifo --wcp there", "q").unwrap();
+    assert!(
+        run.code == Some(2) && run.stdout.contains("give a port, or an address such as 127.0.0.1:54321"),
+        "{run:?}"
+    );
 }
