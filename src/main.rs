@@ -17,6 +17,7 @@ mod golden;
 mod list;
 mod machine;
 mod manual;
+mod mappings;
 mod moment;
 mod names;
 mod new;

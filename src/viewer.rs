@@ -40,14 +40,7 @@ impl Viewer {
     /// # Errors
     /// It cannot be written.
     pub fn prepare(self, path: &Path) -> Result<Option<Output>, Failure> {
-        if is_ours(path, self.first_line()) {
-            return Output::at(path).map(Some);
-        }
-        terminal::warn(&format!(
-            "{} was not written by tilewright and is kept: remove it to have it written",
-            path.display()
-        ));
-        Ok(None)
+        is_ours_or_warn(path, self.first_line()).then(|| Output::at(path)).transpose()
     }
 
     /// Its file for a waveform with that header, of these picoseconds. It shows the top module, or with `all` every signal.
@@ -70,6 +63,16 @@ impl Viewer {
     fn first_line(self) -> &'static str {
         VIEWERS.iter().find(|(viewer, ..)| *viewer == self).map_or("", |(.., line)| line)
     }
+}
+
+/// Whether a file is missing, or begins with that line. If somebody else has written it, there is a warning that it is kept.
+pub fn is_ours_or_warn(path: &Path, first_line: &str) -> bool {
+    let is_ours = is_ours(path, first_line);
+    if !is_ours {
+        let path = path.display();
+        terminal::warn(&format!("{path} was not written by tilewright and is kept: remove it to have it written"));
+    }
+    is_ours
 }
 
 /// Whether a file is missing, or begins with that line.

@@ -3,6 +3,7 @@
 use crate::block::{BlockArguments, design, ports, simulation};
 use crate::engine::EngineArguments;
 use crate::first_difference;
+use crate::mappings;
 use crate::names;
 use crate::player::{check_length, play};
 use crate::shell::output::{Output, Waveform};
@@ -145,6 +146,11 @@ impl Wave {
                 let Some(output) = output else { continue };
                 ended = Failure::both(ended, output.write(self.shown_by(*viewer, header, sim.time()).as_bytes()));
                 files.push(path.clone());
+            }
+            if let (Some(waveform), false) = (vcd, beside.is_empty()) {
+                let written = mappings::write(waveform, &sim);
+                files.extend(written.as_ref().map(Clone::clone).unwrap_or_default());
+                ended = Failure::both(ended, written.map(|_| ()));
             }
         }
         if let (Some(picture), Some(drawn), true) = (picture, drawn, Failure::leaves_a_waveform(&ended)) {

@@ -18,6 +18,22 @@ fn a_scenario_becomes_a_waveform_that_opens_with_its_signals() {
 }
 
 #[test]
+fn codes_have_mapping_files_for_surfer() {
+    let folder = Folder::new();
+    folder.stdout("wave patch-table -o table.vcd");
+    let text = folder.read(".surfer/mappings/Stage1");
+    assert!(text.starts_with("# Tilewright\nName = Stage1\nBits = 3\n0 Idle\n1 Read\n2 Examine\n"), "{text}");
+    let report = folder.json("wave patch-table -o table.vcd --json");
+    assert!(report["files"].as_array().unwrap().contains(&".surfer/mappings/Stage1".into()), "{report}");
+    // That of somebody else stays.
+    std::fs::write(folder.path(".surfer/mappings/Stage1"), "Name = Mine\n0 Nought\n").unwrap();
+    let run = folder.run("wave patch-table -o table.vcd");
+    let warning = "warning: .surfer/mappings/Stage1 was not written by tilewright and is kept";
+    assert!(run.code == Some(0) && run.stderr.contains(warning), "{run:?}");
+    assert_eq!(folder.read(".surfer/mappings/Stage1"), "Name = Mine\n0 Nought\n");
+}
+
+#[test]
 fn filters_choose_signals_and_times() {
     let folder = Folder::new();
     folder.stdout("wave image-merger -o some.vcd --scope u_merging_unit[1].** --from 0.4us --to 800ns");
