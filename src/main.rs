@@ -1,5 +1,6 @@
 //! The command line: one file for each subcommand, and what they share in `shell`.
 
+mod against;
 mod bench;
 mod bitstream;
 mod block;

@@ -1,5 +1,6 @@
 //! `tilewright wave`: a block's scenario as a waveform file, as text, or as a picture.
 
+use crate::against::AgainstOptions;
 use crate::block::{BlockArguments, design, ports, simulation};
 use crate::engine::EngineArguments;
 use crate::first_difference;
@@ -34,6 +35,8 @@ Examples:
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
   tilewright wave lifo -o lifo.vcd --memory 'words[0..4]'
   tilewright wave merging-unit -o mu.svg
+  tilewright wave merging-unit --against icarus
+  tilewright wave merging-unit --against reference
 
 Beside the waveform file a .gtkw file and a .sucl file are written, unless -o names a pipe or a device. With them GTKWave and Surfer open the waveform with the signals selected.
 A file of these names that Tilewright did not write is kept. If -o ends in .fst, the file has the same waves in GTKWave's packed format.
@@ -45,7 +48,12 @@ and signed values are decimal. Codes are always shown by name.
 --diff, as in `wave --diff before.vcd after.vcd`, matches signals by their names below a common top, so that a file of a testbench around a block can be compared with one of the block alone.
 It compares the time that both files have, and takes an unknown bit (x) for any other.
 
-Exit code 1 means that an assertion of the block fails, that with --engine both the engines differ, or that with --diff the waveforms do.")]
+--against compares the run with another one of the same scenario, in all signals that both have, just before each edge of a clock. The other run is that of the printed Verilog in a simulator, of
+another engine, or of a waveform file, such as one that was written before an edit. Below the first difference stand the waves around it and the causes of the value at which
+it begins. With --verilog FILE, the simulator runs the modules of that file in place of the printed ones, such as a copy that was edited by hand.
+
+Exit code 1 means that an assertion of the block fails, that with --engine both the engines differ, or that with --diff or --against the waveforms do. Exit code 4 means
+that the simulator is not installed or fails.")]
 pub struct Wave {
     #[command(flatten)]
     block: Option<BlockArguments>,
@@ -66,8 +74,10 @@ pub struct Wave {
     #[command(flatten)]
     filters: TraceOptions,
     /// Compare two waveforms in place of a run, VCD or FST files of any program, and show where they differ first
-    #[arg(long, value_names = ["A", "B"], num_args = 2, exclusive = true)]
+    #[arg(long, value_names = ["A", "B"], num_args = 2, conflicts_with_all = ["BlockArguments", "output", "ascii", "radix", "engine", "scope", "memory", "from", "to", "verilog"])]
     diff: Vec<PathBuf>,
+    #[command(flatten)]
+    against: AgainstOptions,
 }
 
 /// The most clocks that a picture shows.
@@ -113,7 +123,10 @@ impl Wave {
     /// Runs the scenario, writes the files and reports.
     pub fn run(self) -> Result<Exit, Failure> {
         // Without a block there is a `--diff`.
-        let Some(block) = &self.block else { return first_difference::run(&self.diff) };
+        let Some(block) = &self.block else { return first_difference::run(&self.diff, self.json) };
+        if self.against.is_asked() {
+            return self.against.run(block, self.engine, self.json);
+        }
         self.check()?;
         let (picture, vcd) =
             if self.is_picture() { (self.output.as_ref(), None) } else { (None, self.output.as_ref()) };

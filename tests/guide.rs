@@ -13,6 +13,7 @@ fn the_commands_of_the_guide_print_what_it_shows() {
         for (command, shown) in commands(&text) {
             let needed: &[&str] = match () {
                 () if command.starts_with("tilewright prove ") => &["yosys", "z3"],
+                () if command.contains(" --against icarus") => &["iverilog", "vvp"],
                 () if command.contains(" --equal-to ") => &["yosys", "yosys-abc"],
                 () => &[],
             };

@@ -50,31 +50,53 @@ impl<'a> Both<'a> {
 
     /// The first time at which both files are known and differ.
     pub fn first_difference(&self) -> Option<u64> {
-        let mut pairs_of = [0, 1].map(|side| vec![Vec::new(); self.files[side].variables]);
-        for (number, pair) in self.pairs.iter().enumerate() {
-            (0..2).for_each(|side| pairs_of[side][pair.variables[side] as usize].push(number));
-        }
         let (begin, end) = self.times();
-        let mut state = self.start();
-        state.go_to(begin);
-        if (0..self.pairs.len()).any(|number| state.differs(number)) {
+        let mut walk = Walk::new(self);
+        if walk.differs_at(begin) {
             return Some(begin);
         }
         // What changes where a file ends is no longer in it. If both end there, both have it.
         let ends = [0, 1].map(|side| self.time(side, self.files[side].end));
-        while let Some(time) = state.next_time().filter(|time| *time < end || *time == end && ends[0] == ends[1]) {
-            let before = state.next;
-            state.go_to(time);
-            let is_other = (0..2).any(|side| {
-                let changes = &self.files[side].changes[before[side]..state.next[side]];
-                let pairs = changes.iter().flat_map(|change| &pairs_of[side][change.variable as usize]);
-                pairs.into_iter().any(|number| state.differs(*number))
-            });
-            if is_other {
+        while let Some(time) = walk.state.next_time().filter(|time| *time < end || *time == end && ends[0] == ends[1]) {
+            if walk.differs_at(time) {
                 return Some(time);
             }
         }
         None
+    }
+
+    /// The first of these times, in sequence, just before which both files are known and differ, by its place.
+    pub fn first_difference_before(&self, times: &[u64]) -> Option<usize> {
+        let mut walk = Walk::new(self);
+        times.iter().position(|time| walk.differs_at(time.saturating_sub(1)))
+    }
+}
+
+/// Two files that are compared from time to time.
+struct Walk<'a> {
+    state: State<'a>,
+    /// For each variable of each file, its pairs.
+    pairs: [Vec<Vec<usize>>; 2],
+}
+
+impl<'a> Walk<'a> {
+    fn new(both: &'a Both<'a>) -> Walk<'a> {
+        let mut pairs = [0, 1].map(|side| vec![Vec::new(); both.files[side].variables]);
+        for (number, pair) in both.pairs.iter().enumerate() {
+            (0..2).for_each(|side| pairs[side][pair.variables[side] as usize].push(number));
+        }
+        Walk { state: both.start(), pairs }
+    }
+
+    /// Goes to a time; whether a pair differs there that has changed on the way.
+    fn differs_at(&mut self, time: u64) -> bool {
+        let before = self.state.next;
+        self.state.go_to(time);
+        (0..2).any(|side| {
+            let changes = &self.state.both.files[side].changes[before[side]..self.state.next[side]];
+            let mut pairs = changes.iter().flat_map(|change| &self.pairs[side][change.variable as usize]);
+            pairs.any(|number| self.state.differs(*number))
+        })
     }
 }
 
@@ -98,8 +120,11 @@ impl<'a> State<'a> {
 
     /// The value of a pair's signal in a file, once there is one.
     pub fn value(&self, pair: usize, side: usize) -> Option<&'a [u8]> {
-        let variable = self.both.pairs[pair].variables[side];
-        Some(self.both.files[side].value(self.last[side][variable as usize]?))
+        let Pair { variables, lows, width, .. } = &self.both.pairs[pair];
+        let value = self.both.files[side].value(self.last[side][variables[side] as usize]?);
+        let end = value.len().saturating_sub(lows[side] as usize);
+        let start = if *width == TEXT { 0 } else { end.saturating_sub(*width as usize) };
+        Some(&value[start..end])
     }
 
     /// The number of bits of a pair's signal, or [`TEXT`].

@@ -85,6 +85,11 @@ impl Waves {
         Ok(reading.waves)
     }
 
+    /// The same under another name.
+    pub fn named(self, name: &str) -> Waves {
+        Waves { name: name.to_owned(), ..self }
+    }
+
     /// The value of a change: a character for each bit, the highest first, or a text.
     pub fn value(&self, change: &Change) -> &[u8] {
         &self.values[change.start..change.start + change.length as usize]

@@ -1,6 +1,7 @@
 //! Which signals of two files are the same.
 
-use super::file::{Signal, Waves};
+use super::file::Waves;
+use super::lanes;
 use std::collections::{BTreeMap, HashSet};
 
 /// The greatest depth of a scope that may be the top of what both files have.
@@ -15,50 +16,117 @@ pub struct Matched {
 
 /// A signal that both files have.
 pub struct Pair {
-    /// Its name below the common top.
+    /// Its name below the common top, in the first file.
     pub name: String,
     pub variables: [u32; 2],
+    /// The lowest bit of it in each variable.
+    pub lows: [u32; 2],
     /// The number of bits, or [`TEXT`](super::file::TEXT).
     pub width: u32,
 }
 
-/// A name below a top, and the width.
-type Key<'a> = (&'a [String], u32);
+/// A path below a top, and the width.
+pub type Key<'a> = (&'a [String], u32);
+
+/// A signal of a file.
+pub struct Signal<'a> {
+    /// Its path in one form, whatever the form of arrays is in the file.
+    path: Vec<String>,
+    /// Its path in the file.
+    own: &'a [String],
+    width: u32,
+    pub variable: u32,
+}
+
+impl Signal<'_> {
+    /// Its name below a top of so many scopes.
+    pub fn name(&self, top: usize) -> String {
+        name(&self.own[top..])
+    }
+}
+
+/// Signals by their keys.
+pub type Signals<'a> = BTreeMap<Key<'a>, &'a Signal<'a>>;
 
 /// Matches signals by name. The files may have other scopes around what both have, such as that of a testbench: the
 /// scopes are left out below which most names are the same.
 pub fn matched(files: [&Waves; 2]) -> Matched {
-    let tops = files.map(tops);
+    let signals = files.map(signals);
+    let tops = [0, 1].map(|side| tops(&signals[side]));
     let mut best = (0, [&[][..]; 2]);
     // One of both is an outermost scope, or the file itself.
     for (first, second) in pairs_of(&tops) {
-        let known = below(files[0], first);
-        let count = signals_below(files[1], second).filter(|(key, _)| known.contains_key(key)).count();
+        let known = below(&signals[0], first);
+        let count = keys_below(&signals[1], second).filter(|(key, _)| known.contains_key(key)).count();
         // Of several such scopes, the inner ones have the shorter names.
         if count > 0 && count >= best.0 {
             best = (count, [first, second]);
         }
     }
-    let [first, second] = [0, 1].map(|side| below(files[side], best.1[side]));
-    let mut all = Matched { pairs: Vec::new(), only: [Vec::new(), Vec::new()] };
-    for (key, variable) in &first {
-        match second.get(key) {
-            Some(other) => all.pairs.push(Pair { name: key.0.join("."), variables: [*variable, *other], width: key.1 }),
-            None => all.only[0].push(key.0.join(".")),
+    let depths = best.1.map(<[String]>::len);
+    let mut rest = [0, 1].map(|side| below(&signals[side], best.1[side]));
+    let mut pairs = Vec::new();
+    for (key, signal) in rest[0].clone() {
+        if let Some(other) = rest[1].remove(&key) {
+            rest[0].remove(&key);
+            let variables = [signal.variable, other.variable];
+            pairs.push(Pair { name: signal.name(depths[0]), variables, lows: [0, 0], width: key.1 });
         }
     }
-    all.only[1].extend(second.keys().filter(|key| !first.contains_key(*key)).map(|key| key.0.join(".")));
-    all
+    for side in 0..2 {
+        pairs.extend(lanes::pairs(&mut rest, side, depths[0]));
+    }
+    pairs.sort_by(|one, other| one.name.cmp(&other.name));
+    let only = [0, 1].map(|side| rest[side].values().map(|signal| signal.name(depths[side])).collect());
+    Matched { pairs, only }
+}
+
+fn signals(file: &Waves) -> Vec<Signal<'_>> {
+    let signal = |it: &'_ super::file::Signal| canonical(&it.path);
+    let all = file.signals.iter();
+    all.map(|it| Signal { path: signal(it), own: &it.path, width: it.width, variable: it.variable }).collect()
+}
+
+/// A path in which an element of an array is one scope. In Verilog a loop is around it, whose scope has the index: `u_cell[3].lane.sum`
+/// and `row[3].u_cell.sum` are `u_cell[3].sum`, and `row[3].sum` is `sum[3]`.
+fn canonical(path: &[String]) -> Vec<String> {
+    let mut parts = Vec::new();
+    let (mut label, mut index) = (None, String::new());
+    for (at, part) in path.iter().enumerate() {
+        let is_scope = at + 1 < path.len();
+        match part.find('[').filter(|_| is_scope && part.ends_with(']')) {
+            Some(start) => {
+                label.get_or_insert(&part[..start]);
+                index += &part[start..];
+            }
+            None => {
+                let is_lane = is_scope && part.trim_start_matches("u_") == "lane";
+                let name = label.take().filter(|_| is_lane).unwrap_or(part.as_str());
+                // A lane of a lane has the outer index first.
+                let (base, own) = name.find('[').map_or((name, ""), |start| name.split_at(start));
+                parts.push(format!("{base}{}{own}", std::mem::take(&mut index)));
+            }
+        }
+    }
+    parts
+}
+
+/// A path as `why` takes it: without the scope that Verilog has in each element of an array.
+fn name(path: &[String]) -> String {
+    let is_lane = |at: usize| at > 0 && at + 1 < path.len() && path[at] == "lane" && path[at - 1].ends_with(']');
+    let parts: Vec<&str> = (0..path.len()).filter(|at| !is_lane(*at)).map(|at| path[at].as_str()).collect();
+    parts.join(".")
 }
 
 /// The scopes that may be the common top, the outermost first; the first one is the file itself.
-fn tops(file: &Waves) -> Vec<&[String]> {
+fn tops<'a>(signals: &'a [Signal]) -> Vec<&'a [String]> {
     let mut tops: Vec<&[String]> = vec![&[]];
     let mut known = HashSet::new();
-    for signal in &file.signals {
+    for signal in signals {
         for depth in 1..=DEEPEST.min(signal.path.len() - 1) {
             let scope = &signal.path[..depth];
-            if known.insert(scope) {
+            // Below an element of an array, the paths have other lengths.
+            if signal.own.starts_with(scope) && known.insert(scope) {
                 tops.push(scope);
             }
         }
@@ -75,11 +143,32 @@ fn pairs_of<'a>(tops: &[Vec<&'a [String]>; 2]) -> Vec<(&'a [String], &'a [String
     pairs
 }
 
-fn signals_below<'a>(file: &'a Waves, top: &'a [String]) -> impl Iterator<Item = (Key<'a>, u32)> {
-    let key = |signal: &'a Signal| Some(((signal.path.strip_prefix(top)?, signal.width), signal.variable));
-    file.signals.iter().filter_map(key)
+fn keys_below<'a>(signals: &'a [Signal<'a>], top: &'a [String]) -> impl Iterator<Item = (Key<'a>, &'a Signal<'a>)> {
+    signals.iter().filter_map(move |signal| Some(((signal.path.strip_prefix(top)?, signal.width), signal)))
 }
 
-fn below<'a>(file: &'a Waves, top: &'a [String]) -> BTreeMap<Key<'a>, u32> {
-    signals_below(file, top).collect()
+fn below<'a>(signals: &'a [Signal<'a>], top: &'a [String]) -> Signals<'a> {
+    keys_below(signals, top).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_element_of_an_array_is_one_scope_in_any_form() {
+        let path = |text: &str| text.split('.').map(str::to_owned).collect::<Vec<_>>();
+        for (own, expected, shown) in [
+            ("top.u_cell[3].lane.sum", "top.u_cell[3].sum", "top.u_cell[3].sum"),
+            ("top.row[3].u_cell.sum", "top.u_cell[3].sum", "top.row[3].u_cell.sum"),
+            ("top.u_cell[1][2].lane.sum", "top.u_cell[1][2].sum", "top.u_cell[1][2].sum"),
+            ("top.u_cell[1].col[2].lane.sum", "top.u_cell[1][2].sum", "top.u_cell[1].col[2].sum"),
+            ("top.row[3].sum", "top.sum[3]", "top.row[3].sum"),
+            ("top.sum[3]", "top.sum[3]", "top.sum[3]"),
+            ("top.u_cell[3].lane.row[1].sum", "top.u_cell[3].sum[1]", "top.u_cell[3].row[1].sum"),
+            ("top.lane.sum", "top.lane.sum", "top.lane.sum"),
+        ] {
+            assert_eq!((canonical(&path(own)).join("."), name(&path(own)).as_str()), (expected.to_owned(), shown));
+        }
+    }
 }

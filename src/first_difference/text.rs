@@ -5,27 +5,28 @@ use super::file::TEXT;
 use std::fmt::Write;
 
 /// The columns before and after the time of the difference.
-const BEFORE: usize = 5;
-const AFTER: usize = 3;
+pub const BEFORE: usize = 5;
+pub const AFTER: usize = 3;
 /// The most characters of a value.
 const LONGEST: usize = 24;
 
-/// The waves of these pairs around a time, two rows for each: a column lasts from an edge of the clock to the next one.
-pub fn waves(both: &Both, pairs: &[usize], time: u64, names: [&str; 2]) -> String {
-    let begins = columns(both, pairs, time);
-    let unit = unit(both.exponent);
-    let mut rows = vec![Row { label: format!("time in {unit}"), cells: begins.iter().map(u64::to_string).collect() }];
-    let (_, end) = both.times();
-    let ends = begins[1..].iter().map(|next| next - 1).chain([end.max(begins[begins.len() - 1])]);
+/// The columns of waves: the rows above them, and the times whose values they show.
+pub struct Columns {
+    pub heads: Vec<Row>,
+    pub samples: Vec<u64>,
+}
+
+/// The waves of these pairs in these columns, two rows for each.
+pub fn waves(both: &Both, pairs: &[usize], columns: Columns, names: [&str; 2]) -> String {
+    let mut rows = columns.heads;
     let mut state = both.start();
     let start = rows.len();
     for pair in pairs {
         let label = |side: usize| format!("{} {}", names[side], both.pairs[*pair].name);
         rows.extend((0..2).map(|side| Row { label: label(side), cells: Vec::new() }));
     }
-    for (column, end) in ends.enumerate() {
-        // A later change within the clock must not hide the difference.
-        state.go_to(if begins[column] == time { time } else { end });
+    for sample in columns.samples {
+        state.go_to(sample);
         for (number, pair) in pairs.iter().enumerate() {
             for side in 0..2 {
                 rows[start + 2 * number + side].cells.push(cell(&state, *pair, side));
@@ -33,6 +34,17 @@ pub fn waves(both: &Both, pairs: &[usize], time: u64, names: [&str; 2]) -> Strin
         }
     }
     draw(&rows)
+}
+
+/// Columns around a time: each lasts from an edge of the clock to the next one.
+pub fn around(both: &Both, pairs: &[usize], time: u64) -> Columns {
+    let begins = begins(both, pairs, time);
+    let (_, end) = both.times();
+    let ends = begins[1..].iter().map(|next| next - 1).chain([end.max(begins[begins.len() - 1])]);
+    // A later change within the clock must not hide the difference.
+    let samples = begins.iter().zip(ends).map(|(begin, end)| if *begin == time { time } else { end }).collect();
+    let label = format!("time in {}", unit(both.exponent));
+    Columns { heads: vec![Row { label, cells: begins.iter().map(u64::to_string).collect() }], samples }
 }
 
 /// The name of the unit of 10^`exponent` seconds.
@@ -69,7 +81,7 @@ pub fn cell(state: &State, pair: usize, side: usize) -> String {
 
 /// Where the columns begin: at rising edges of a clock around the time, or else where one of the pairs changes, and at
 /// the time itself.
-fn columns(both: &Both, pairs: &[usize], time: u64) -> Vec<u64> {
+fn begins(both: &Both, pairs: &[usize], time: u64) -> Vec<u64> {
     let is_clock = |name: &str| name == "clk" || name == "clock" || name.ends_with("_clk");
     let clock = both.pairs.iter().position(|pair| pair.width == 1 && is_clock(&pair.name));
     let watched = clock.map_or_else(|| pairs.to_vec(), |clock| vec![clock]);
@@ -99,9 +111,9 @@ fn columns(both: &Both, pairs: &[usize], time: u64) -> Vec<u64> {
 }
 
 /// A name and a text for each column.
-struct Row {
-    label: String,
-    cells: Vec<String>,
+pub struct Row {
+    pub label: String,
+    pub cells: Vec<String>,
 }
 
 fn draw(rows: &[Row]) -> String {

@@ -89,8 +89,8 @@ fn text(cause: &Cause) -> String {
     text
 }
 
-/// A cause and its causes.
-fn node(cause: &Cause) -> Value {
+/// A cause and its causes, as JSON.
+pub fn node(cause: &Cause) -> Value {
     json!({
         "name": cause.name,
         "label": cause.label(),

@@ -4,6 +4,8 @@ mod block;
 mod scene;
 mod text;
 
+pub use block::node;
+
 use crate::shell::{Exit, Failure};
 use block::BlockOptions;
 use clap::Args;

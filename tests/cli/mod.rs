@@ -37,5 +37,6 @@ mod turn;
 mod verilog;
 mod view;
 mod wave;
+mod wave_against;
 mod wave_diff;
 mod why;

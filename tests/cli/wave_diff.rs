@@ -91,3 +91,63 @@ fn files_that_cannot_be_compared_are_refused() {
         assert!(run.code == Some(2) && run.stdout.is_empty() && run.stderr.contains(sentence), "{line}: {run:?}");
     }
 }
+
+/// A waveform with these variables, each with its values at 0 and at 10 ns.
+fn waveform(variables: &[(&str, u32, [&str; 2])]) -> String {
+    let mut text = "$timescale 1 ns $end\n$scope module top $end\n".to_owned();
+    let id = |at: usize| char::from(b'!' + at as u8);
+    for (at, (path, width, _)) in variables.iter().enumerate() {
+        let (scopes, name) = path.rsplit_once('.').map_or(("", *path), |(scopes, name)| (scopes, name));
+        let scopes: Vec<&str> = scopes.split('.').filter(|scope| !scope.is_empty()).collect();
+        scopes.iter().for_each(|scope| text += &format!("$scope module {scope} $end\n"));
+        text += &format!("$var wire {width} {} {name} $end\n", id(at));
+        text += &"$upscope $end\n".repeat(scopes.len());
+    }
+    text += "$upscope $end\n$enddefinitions $end\n";
+    for (number, time) in [0, 10].into_iter().enumerate() {
+        text += &format!("#{time}\n");
+        variables
+            .iter()
+            .enumerate()
+            .for_each(|(at, (.., values))| text += &format!("b{} {}\n", values[number], id(at)));
+    }
+    text + "#20\n"
+}
+
+#[test]
+fn lanes_are_the_same_signals_in_each_form() {
+    let ours = [
+        ("word[0]", 2, ["01", "01"]),
+        ("word[1]", 2, ["10", "11"]),
+        ("sum[0]", 2, ["00", "01"]),
+        ("sum[1]", 2, ["00", "10"]),
+        ("u_cell[0].lane.x", 2, ["00", "01"]),
+        ("u_cell[1].lane.x", 2, ["00", "11"]),
+    ];
+    let mut theirs = [
+        ("word", 4, ["1001", "1101"]),
+        ("row[0].sum", 2, ["00", "01"]),
+        ("row[1].sum", 2, ["00", "10"]),
+        ("row[0].u_cell.x", 2, ["00", "01"]),
+        ("row[1].u_cell.x", 2, ["00", "11"]),
+    ];
+    let folder = Folder::with(&[("a.vcd", &waveform(&ours)), ("b.vcd", &waveform(&theirs))]);
+    for files in ["a.vcd b.vcd", "b.vcd a.vcd"] {
+        assert_eq!(folder.stdout(&format!("wave --diff {files}")), "no difference in 6 signals from 0 to 20 ns\n");
+    }
+    theirs[0].2[1] = "0101";
+    theirs[4].2[1] = "10";
+    std::fs::write(folder.path("b.vcd"), waveform(&theirs)).unwrap();
+    let run = folder.run("wave --diff a.vcd b.vcd --json");
+    assert_eq!(run.code, Some(1), "{run:?}");
+    let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    let differing = serde_json::json!([
+        { "name": "u_cell[1].x", "values": ["3", "2"] },
+        { "name": "word[1]", "values": ["3", "1"] },
+    ]);
+    assert_eq!((&report["unit"], &report["difference"]["time"]), (&"ns".into(), &10.into()));
+    assert_eq!(report["difference"]["signals"], differing);
+    assert_eq!((&report["signals"], &report["only"]), (&6.into(), &serde_json::json!([[], []])));
+    let other = folder.stdout("wave --diff a.vcd a.vcd --json");
+    assert!(serde_json::from_str::<serde_json::Value>(&other).unwrap()["difference"].is_null());
+}

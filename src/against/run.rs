@@ -1,0 +1,87 @@
+//! A run in our simulator, with all of its signals.
+
+use crate::block::simulation;
+use crate::first_difference::{Both, Matched, Waves};
+use crate::player::{check_length, play};
+use crate::shell::{Exit, Failure};
+use tempfile::TempDir;
+use tilewright_hdl::{Design, Recording, Scenario};
+use tilewright_sim::{EngineKind, Vcd};
+
+/// A run that was played to its end.
+pub struct Run {
+    pub waves: Waves,
+    /// What a testbench needs to play it again.
+    pub recording: Recording,
+    /// The ports of the clocks, and the period of the first one in picoseconds.
+    clocks: Vec<String>,
+    period: Option<u64>,
+    /// The failure of an assertion, which ended it.
+    pub failed: Option<Failure>,
+}
+
+/// The time from an edge of a clock to the next one.
+pub struct Instant {
+    /// The time of the next one, in the unit of a comparison.
+    pub until: u64,
+    /// Its beginning, in picoseconds.
+    pub picoseconds: u64,
+    /// The cycle of the first clock, if there is one.
+    pub cycle: Option<u64>,
+}
+
+impl Run {
+    /// Plays a scenario. The waveform gets this name.
+    ///
+    /// # Errors
+    /// It is too long, or cannot be played; not that an assertion fails.
+    pub fn of(design: &Design, scenario: &Scenario, engine: EngineKind, name: &str) -> Result<Run, Failure> {
+        let folder = TempDir::with_prefix("tilewright-").map_err(|error| no_room(&error))?;
+        let path = folder.path().join("run.vcd");
+        let mut sim = simulation(design, engine)?;
+        check_length(&sim, scenario, "a comparison")?;
+        let recorder = sim.recording();
+        sim.trace(Vcd::to(&path))?;
+        let played = play(&mut sim, scenario, u64::MAX);
+        sim.finish()?;
+        let failed = match played {
+            Err(failure) if failure.exit == Exit::CheckFailed => Some(failure),
+            played => played.map(|()| None)?,
+        };
+        let waves = Waves::read(&path)?.named(name);
+        let clocks = &sim.program().clocks;
+        let (ports, period) = (clocks.iter().map(|clock| clock.port.clone()), clocks.first().map(|clock| clock.period));
+        Ok(Run { waves, recording: recorder.take(), clocks: ports.collect(), period, failed })
+    }
+
+    /// Leaves out what no run has to have: the levels of clocks, which a testbench chooses between their edges, and the texts of
+    /// codes, whose numbers are compared.
+    pub fn leave_out(&self, matched: &mut Matched) {
+        let is_clock = |path: &[String]| matches!(path, [_, port] if self.clocks.contains(port));
+        let signals = self.waves.signals.iter().filter(|signal| is_clock(&signal.path));
+        let clocks: Vec<u32> = signals.map(|signal| signal.variable).collect();
+        matched.pairs.retain(|pair| !clocks.contains(&pair.variables[0]));
+        let Matched { pairs, only } = matched;
+        let is_number = |name: &str| pairs.binary_search_by(|pair| pair.name.as_str().cmp(name)).is_ok();
+        only[0].retain(|name| !name.strip_suffix("_state").is_some_and(is_number));
+    }
+
+    /// The instants that are in both files.
+    pub fn instants_of(&self, both: &Both) -> Vec<Instant> {
+        let (begin, end) = both.times();
+        let mut since = 0;
+        let instants = self.recording.steps.iter().map(|step| {
+            let picoseconds = std::mem::replace(&mut since, step.time_ps);
+            let cycle = self.period.map(|period| picoseconds / period);
+            Instant { until: both.time(0, step.time_ps), picoseconds, cycle }
+        });
+        instants.filter(|instant| instant.until > begin && instant.until <= end).collect()
+    }
+}
+
+/// There is no room for temporary files.
+pub fn no_room(error: &std::io::Error) -> Failure {
+    let folder = std::env::temp_dir();
+    let sentence = format!("{}: cannot be written ({error}): set TMPDIR to another folder", folder.display());
+    Failure::new(Exit::NoOutput, sentence)
+}
