@@ -29,6 +29,7 @@ use super::backing_store::BitPlane;
 use super::instruction::Instruction;
 use super::{PERIOD, SIDES, fields};
 use crate::prelude::*;
+use tilewright_blocks::first;
 
 block! {
     /// Carries instructions to renderers, and their planes to the frame buffer, at `rate` bits a clock.
@@ -57,18 +58,6 @@ block! {
         /// The planes to the frame buffer.
         planes: stream(BitPlane = BitPlane::widths(self.side)),
     }
-}
-
-/// The state of the arbitration within a clock, after some of the requests.
-struct Turn {
-    /// The remaining credit.
-    credit: Signal,
-    /// One of these requests has to wait for credit.
-    waits: Signal,
-    /// One of these requests is a plane, and passes.
-    plane_goes: Signal,
-    /// The last of these requests that passes, one-hot; if none does, the last one of earlier clocks.
-    last: Signal,
 }
 
 impl Ring {
@@ -146,44 +135,52 @@ impl Ring {
     }
 
     /// The requests that are granted: one pass over all, starting after the one that passed last.
+    ///
+    /// The credit does not go from station to station. Prefix sums say what each request costs with all before it, and
+    /// the requests pass that the credit pays for. So the depth is logarithmic in the number of stations.
     fn grant(&self, m: Module, requests: Signal) -> Signal {
-        let stations = 2 * self.renderers;
-        let most = self.most_credit();
+        let (stations, most) = (2 * self.renderers, self.most_credit());
         def!(credit = m.reg(up_to(most)).reset(most));
         def!(last = m.reg(stations).reset(0));
-        def!(behind_last = requests & !(last | (last - 1)));
+
+        // A pass visits the stations behind the last one, and then those up to it: a place for each visit.
+        let places = row(2 * stations);
         def!(up_to_last = requests & (last | (last - 1)));
-        let mut goes = vec![lit(1, 0); stations as usize];
-        let mut turn = Turn { credit: *credit, waits: lit(1, 0), plane_goes: lit(1, 0), last: *last };
-        for (part, first_place) in [(behind_last, 0), (up_to_last, stations)] {
-            for station in 0..stations {
-                let grant = self.visit(&mut turn, station, part.bit(station), first_place + station);
-                goes[station as usize] |= grant;
-            }
+        def!(behind_last = requests & !(last | (last - 1)));
+        let visited = concat(&[up_to_last, behind_last]);
+        let planes = constants(bit().of(places), |place| u32::from(place % stations >= self.renderers));
+        def!(first_plane = first(visited & planes.pack()));
+        def!(wants = visited.unpack(places) & (!planes | first_plane.unpack(places)));
+
+        // The cost of all messages up to each place. The sums never fall, so the credit pays for the first ones.
+        let dearest = self.renderers * Ring::INSTRUCTION + self.side;
+        let bits = constants(up_to(dearest.max(most)).of(places), |place| self.bits(place % stations));
+        let mut sums = mux(wants, bits, 0);
+        for span in (0..).map(|level| 1 << level).take_while(|span| *span < 2 * stations) {
+            sums = (sums + sums.take_or(2 * stations, |place| place - span, 0)).named(&format!("sums_of{}", 2 * span));
         }
-        last.next(turn.last);
-        let sum = turn.credit.zext(up_to(most + self.rate)) + self.rate;
+        def!(fits = sums.le(credit.zext(sums.width())));
+        def!(goes = (wants & fits).pack());
+
+        def!(last_that_fits = fits & !fits.take_or(2 * stations, |place| place + 1, 0));
+        def!(paid = mux(last_that_fits, sums, 0).or_all().trunc(up_to(most)));
+        let sum = (credit - paid).zext(up_to(most + self.rate)) + self.rate;
         credit.next(mux(sum.gt(most), most, sum.trunc(up_to(most))));
-        goes.reverse();
-        concat(&goes)
+        let backwards = |word: Signal| word.unpack(places).reversed().pack();
+        def!(last_to_go = backwards(first(backwards(goes))));
+        last.when(goes.any_one(), either(last_to_go, stations));
+        either(goes, stations)
     }
 
-    /// Whether the request of a station, if any, is granted. `place` counts the stations visited in the clock.
-    fn visit(&self, turn: &mut Turn, station: u32, request: Signal, place: u32) -> Signal {
-        let is_plane = station >= self.renderers;
-        let bits = if is_plane { self.side } else { Ring::INSTRUCTION };
-        let may = !turn.waits & if is_plane { !turn.plane_goes } else { lit(1, 1) };
-        let wants = (request & may).named(&format!("wants{place}"));
-        let pays = turn.credit.ge(bits);
-        let goes = (wants & pays).named(&format!("goes{place}"));
-        turn.waits |= wants & !pays;
-        turn.credit = mux(goes, turn.credit - bits, turn.credit).named(&format!("credit{place}"));
-        turn.last = mux(goes, lit(2 * self.renderers, 1u64 << station), turn.last);
-        if is_plane {
-            turn.plane_goes |= goes;
-        }
-        goes
+    /// The bits that a station's message costs.
+    fn bits(&self, station: u32) -> u32 {
+        if station < self.renderers { Ring::INSTRUCTION } else { self.side }
     }
+}
+
+/// A bit for each station, of bits for both of its places.
+fn either(visited: Signal, stations: u32) -> Signal {
+    visited.slice(0..stations) | visited.slice(stations..2 * stations)
 }
 
 #[cfg(test)]

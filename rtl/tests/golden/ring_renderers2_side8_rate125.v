@@ -6,7 +6,7 @@
 // Parameters  Ring { renderers: 2, side: 8, rate: 125 }
 // Latency     none; 125 bits a clock
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/ring.rs:33
+// Described   rtl/src/pixel_planes/ring.rs:34
 `default_nettype none
 
 module ring_renderers2_side8_rate125 (
@@ -84,77 +84,119 @@ module ring_renderers2_side8_rate125 (
     output wire        finished_1_ready
 );
 
-    reg [1:0] line_of;                                           // rtl/src/pixel_planes/ring.rs:128
-    reg [8:0] credit;                                            // rtl/src/pixel_planes/ring.rs:152
-    reg [3:0] last;                                              // rtl/src/pixel_planes/ring.rs:153
+    reg [1:0] line_of;                                           // rtl/src/pixel_planes/ring.rs:117
+    reg [8:0] credit;                                            // rtl/src/pixel_planes/ring.rs:143
+    reg [3:0] last;                                              // rtl/src/pixel_planes/ring.rs:144
 
-    wire requests_and_3;                                         // rtl/src/pixel_planes/ring.rs:121
-    wire requests_and_4;                                         // rtl/src/pixel_planes/ring.rs:121
-    wire requests_and = finished_1_valid & ((line_of == 2'd0) | line_of[1]); // rtl/src/pixel_planes/ring.rs:132
-    wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:132
-    wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:143
-    wire [3:0] behind_last = requests & ~(last | (last - 4'd1)); // rtl/src/pixel_planes/ring.rs:154
-    wire wants0 = behind_last[0];                                // rtl/src/pixel_planes/ring.rs:176
-    wire wants1_and = wants0 & (credit < 9'd154);                // rtl/src/pixel_planes/ring.rs:179
-    wire wants1 = behind_last[1] & !wants1_and;                  // rtl/src/pixel_planes/ring.rs:176
-    wire goes0 = wants0 & (credit >= 9'd154);                    // rtl/src/pixel_planes/ring.rs:178
-    wire [8:0] credit0 = goes0 ? (credit - 9'd154) : credit;     // rtl/src/pixel_planes/ring.rs:180
-    wire wants2_or = wants1_and | (wants1 & (credit0 < 9'd154)); // rtl/src/pixel_planes/ring.rs:179
-    wire wants2 = behind_last[2] & !wants2_or;                   // rtl/src/pixel_planes/ring.rs:176
-    wire goes1 = wants1 & (credit0 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:178
-    wire [8:0] credit1 = goes1 ? (credit0 - 9'd154) : credit0;   // rtl/src/pixel_planes/ring.rs:180
-    wire wants3_or = wants2_or | (wants2 & (credit1 < 9'd8));    // rtl/src/pixel_planes/ring.rs:179
-    wire goes2 = wants2 & (credit1 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:178
-    wire wants3 = behind_last[3] & (!wants3_or & !goes2);        // rtl/src/pixel_planes/ring.rs:176
-    wire [8:0] credit2 = goes2 ? (credit1 - 9'd8) : credit1;     // rtl/src/pixel_planes/ring.rs:180
-    wire goes3 = wants3 & (credit2 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:178
-    wire [3:0] up_to_last = requests & (last | (last - 4'd1));   // rtl/src/pixel_planes/ring.rs:155
-    wire wants4_or = wants3_or | (wants3 & (credit2 < 9'd8));    // rtl/src/pixel_planes/ring.rs:179
-    wire wants4 = up_to_last[0] & !wants4_or;                    // rtl/src/pixel_planes/ring.rs:176
-    wire [8:0] credit3 = goes3 ? (credit2 - 9'd8) : credit2;     // rtl/src/pixel_planes/ring.rs:180
-    wire wants5_or = wants4_or | (wants4 & (credit3 < 9'd154));  // rtl/src/pixel_planes/ring.rs:179
-    wire wants5 = up_to_last[1] & !wants5_or;                    // rtl/src/pixel_planes/ring.rs:176
-    wire goes4 = wants4 & (credit3 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:178
-    wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:180
-    wire wants6_or = wants5_or | (wants5 & (credit4 < 9'd154));  // rtl/src/pixel_planes/ring.rs:179
-    wire goes2_or_goes3 = goes2 | goes3;                         // rtl/src/pixel_planes/ring.rs:183
-    wire wants6 = up_to_last[2] & (!wants6_or & !goes2_or_goes3); // rtl/src/pixel_planes/ring.rs:176
-    wire goes5 = wants5 & (credit4 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:178
-    wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:180
-    wire wants7_inverse = !(wants6_or | (wants6 & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:175
-    wire goes6 = wants6 & (credit5 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:178
-    wire wants7 = up_to_last[3] & (wants7_inverse & !(goes2_or_goes3 | goes6)); // rtl/src/pixel_planes/ring.rs:176
-    wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:180
-    wire goes7 = wants7 & (credit6 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:178
-    wire [3:0] granted = {goes3 | goes7, goes2 | goes6, goes1 | goes5, goes0 | goes4}; // rtl/src/pixel_planes/ring.rs:117
-    assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:122
-    assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:122
-    wire [1:0] of_plane = granted[3:2];                          // rtl/src/pixel_planes/ring.rs:129
-    assign finished_0_ready = of_plane[0];                       // rtl/src/pixel_planes/ring.rs:133
-    assign finished_1_ready = of_plane[1];                       // rtl/src/pixel_planes/ring.rs:133
-    assign instructions_0_valid = granted[0];                    // rtl/src/pixel_planes/ring.rs:122
-    assign instructions_1_valid = granted[1];                    // rtl/src/pixel_planes/ring.rs:122
-    assign planes_region = of_plane[1] ? finished_1_region : finished_0_region; // rtl/src/pixel_planes/ring.rs:136
-    assign planes_line = of_plane[1] ? finished_1_line : finished_0_line; // rtl/src/pixel_planes/ring.rs:136
-    assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:136
-    assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:137
-    wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:139
-    wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:180
-    wire [8:0] credit7_plus_125 = credit7 + 9'd125;              // rtl/src/pixel_planes/ring.rs:165
+    wire requests_and_3;                                         // rtl/src/pixel_planes/ring.rs:110
+    wire requests_and_4;                                         // rtl/src/pixel_planes/ring.rs:110
+    wire [7:0] goes;                                             // rtl/src/pixel_planes/ring.rs:163
+    wire [8:0] paid;                                             // rtl/src/pixel_planes/ring.rs:166
+    wire [7:0] last_to_go_lanes;                                 // rtl/src/pixel_planes/ring.rs:169
+    wire [7:0] last_to_go;                                       // rtl/src/pixel_planes/ring.rs:170
+    wire requests_and = finished_1_valid & ((line_of == 2'd0) | line_of[1]); // rtl/src/pixel_planes/ring.rs:121
+    wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:121
+    wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:132
+    wire [3:0] up_to_last = requests & (last | (last - 4'd1));   // rtl/src/pixel_planes/ring.rs:148
+    wire [3:0] behind_last = requests & ~(last | (last - 4'd1)); // rtl/src/pixel_planes/ring.rs:149
+    wire [7:0] first_plane_joined = {up_to_last, behind_last};   // rtl/src/pixel_planes/ring.rs:150
+    wire [7:0] first_plane_and = first_plane_joined & 8'hcc;     // rtl/src/pixel_planes/ring.rs:152
+    wire [7:0] first_plane = first_plane_and & (~first_plane_and + 8'd1); // rtl/src/pixel_planes/ring.rs:152
+    wire [3:0] granted = goes[3:0] | goes[7:4];                  // rtl/src/pixel_planes/ring.rs:106
+    assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:111
+    assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:111
+    wire [1:0] of_plane = granted[3:2];                          // rtl/src/pixel_planes/ring.rs:118
+    assign finished_0_ready = of_plane[0];                       // rtl/src/pixel_planes/ring.rs:122
+    assign finished_1_ready = of_plane[1];                       // rtl/src/pixel_planes/ring.rs:122
+    assign instructions_0_valid = granted[0];                    // rtl/src/pixel_planes/ring.rs:111
+    assign instructions_1_valid = granted[1];                    // rtl/src/pixel_planes/ring.rs:111
+    assign planes_region = of_plane[1] ? finished_1_region : finished_0_region; // rtl/src/pixel_planes/ring.rs:125
+    assign planes_line = of_plane[1] ? finished_1_line : finished_0_line; // rtl/src/pixel_planes/ring.rs:125
+    assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:125
+    assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:126
+    wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:128
+    wire [8:0] credit_sum = (credit - paid) + 9'd125;            // rtl/src/pixel_planes/ring.rs:167
+    wire [7:0] last_to_go_and = last_to_go_lanes & (~last_to_go_lanes + 8'd1); // rtl/src/pixel_planes/ring.rs:170
 
     genvar i;
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : row
+        for (i = 0; i < 8; i = i + 1) begin : planes_bits_choice_row
             wire planes_bits_choice = of_plane[1] ? finished_1_bits[i] : finished_0_bits[i];
         end
     endgenerate
 
-    assign requests_and_3 = bins_1_valid & room[1];              // rtl/src/pixel_planes/ring.rs:121
-    assign requests_and_4 = bins_0_valid & room[0];              // rtl/src/pixel_planes/ring.rs:121
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : wants_row
+            localparam [31:0] wants_listed = 1 - ((i / 2) % 2);
+            wire wants = first_plane_joined[i] & (wants_listed[0] | first_plane[i]);
+            localparam [31:0] sums_of2_listed = 154 - 146 * ((i / 2) % 2);
+            wire [8:0] sums_of2_choice = wants ? sums_of2_listed[8:0] : 9'd0;
+            wire [8:0] sums_of2_linked;
+            if (i < 1) begin : sums_of2_linked_edge
+                assign sums_of2_linked = 9'd0;
+            end else begin : sums_of2_linked_link
+                assign sums_of2_linked = wants_row[i - 1].sums_of2_choice;
+            end
+            wire [8:0] sums_of2 = sums_of2_choice + sums_of2_linked;
+            wire [8:0] sums_of4_linked;
+            if (i < 2) begin : sums_of4_linked_edge
+                assign sums_of4_linked = 9'd0;
+            end else begin : sums_of4_linked_link
+                assign sums_of4_linked = wants_row[i - 2].sums_of2;
+            end
+            wire [8:0] sums_of4 = sums_of2 + sums_of4_linked;
+            wire [8:0] sums_of8_linked;
+            if (i < 4) begin : sums_of8_linked_edge
+                assign sums_of8_linked = 9'd0;
+            end else begin : sums_of8_linked_link
+                assign sums_of8_linked = wants_row[i - 4].sums_of4;
+            end
+            wire [8:0] sums_of8 = sums_of4 + sums_of8_linked;
+            wire fits = sums_of8 <= credit;
+            wire wants_and_fits = wants & fits;
+            wire last_that_fits_linked;
+            if (i >= 7) begin : last_that_fits_linked_edge
+                assign last_that_fits_linked = 1'b0;
+            end else begin : last_that_fits_linked_link
+                assign last_that_fits_linked = wants_row[i + 1].fits;
+            end
+            wire last_that_fits = fits & !last_that_fits_linked;
+            wire [8:0] paid_choice = last_that_fits ? sums_of8 : 9'd0;
+        end
+    endgenerate
+
+    assign requests_and_3 = bins_1_valid & room[1];              // rtl/src/pixel_planes/ring.rs:110
+    assign requests_and_4 = bins_0_valid & room[0];              // rtl/src/pixel_planes/ring.rs:110
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : goes_of
+            assign goes[i] = wants_row[i].wants_and_fits;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 15; i = i + 1) begin : paid_tree
+            wire [8:0] value;
+            if (i < 8) begin : leaf
+                assign value = wants_row[i].paid_choice;
+            end else begin : pair
+                assign value = paid_tree[2 * (i - 8)].value | paid_tree[2 * (i - 8) + 1].value;
+            end
+        end
+    endgenerate
+    assign paid = paid_tree[14].value;                           // rtl/src/pixel_planes/ring.rs:166
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : last_to_go_lanes_of
+            assign last_to_go_lanes[i] = wants_row[7 - i].wants_and_fits;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 8; i = i + 1) begin : last_to_go_of
+            assign last_to_go[i] = last_to_go_and[7 - i];
+        end
+    endgenerate
     generate
         for (i = 0; i < 8; i = i + 1) begin : planes_bits_of
-            assign planes_bits[i] = row[i].planes_bits_choice;
+            assign planes_bits[i] = planes_bits_choice_row[i].planes_bits_choice;
         end
     endgenerate
 
@@ -168,16 +210,9 @@ module ring_renderers2_side8_rate125 (
                 if (line_ends) line_of <= 2'd0;
                 else line_of <= of_plane;
             end
-            if (credit7_plus_125 > 9'd278) credit <= 9'd278;
-            else credit <= credit7_plus_125;
-            if (goes7) last <= 4'd8;
-            else if (goes6) last <= 4'd4;
-            else if (goes5) last <= 4'd2;
-            else if (goes4) last <= 4'd1;
-            else if (goes3) last <= 4'd8;
-            else if (goes2) last <= 4'd4;
-            else if (goes1) last <= 4'd2;
-            else if (goes0) last <= 4'd1;
+            if (credit_sum > 9'd278) credit <= 9'd278;
+            else credit <= credit_sum;
+            if (|goes) last <= last_to_go[3:0] | last_to_go[7:4];
         end
     end
 
@@ -215,21 +250,21 @@ module ring_renderers2_side8_rate125 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!instructions_0_valid | instructions_0_ready); // rtl/src/pixel_planes/ring.rs:123
-        if (!rst) assume (!instructions_1_valid | instructions_1_ready); // rtl/src/pixel_planes/ring.rs:123
-        if (!rst) assume (!planes_valid | planes_ready);             // rtl/src/pixel_planes/ring.rs:138
+        if (!rst) assume (!instructions_0_valid | instructions_0_ready); // rtl/src/pixel_planes/ring.rs:112
+        if (!rst) assume (!instructions_1_valid | instructions_1_ready); // rtl/src/pixel_planes/ring.rs:112
+        if (!rst) assume (!planes_valid | planes_ready);             // rtl/src/pixel_planes/ring.rs:127
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!instructions_0_valid | instructions_0_ready)) begin // rtl/src/pixel_planes/ring.rs:123
+        if (!rst && !(!instructions_0_valid | instructions_0_ready)) begin // rtl/src/pixel_planes/ring.rs:112
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
             stop;
         end
-        if (!rst && !(!instructions_1_valid | instructions_1_ready)) begin // rtl/src/pixel_planes/ring.rs:123
+        if (!rst && !(!instructions_1_valid | instructions_1_ready)) begin // rtl/src/pixel_planes/ring.rs:112
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
             stop;
         end
-        if (!rst && !(!planes_valid | planes_ready)) begin           // rtl/src/pixel_planes/ring.rs:138
+        if (!rst && !(!planes_valid | planes_ready)) begin           // rtl/src/pixel_planes/ring.rs:127
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer takes each plane", $time);
             stop;
         end
