@@ -177,11 +177,32 @@ impl GfbUnit {
             mux(is_filled, i.merged, access.word),
         );
 
-        // A word arrives from the bank that was read, even after a swap.
+        // The chain reads the bank being filled, and the host the one on display. So they share a port of each bank. A sum
+        // reads the bank on display through the chain's port, and the host then needs one of its own.
+        let adds = self.accumulation.then(|| merge.wire("adds", Adding::widths(self.screen)));
+        let (other_reads, other_address) = match &adds {
+            Some(adds) => (adds.busy, adds.address),
+            None => (reads, access.address),
+        };
+        let (reads_old, old_address) =
+            (mux(is_filled, enable, other_reads), mux(is_filled, sequencer.feed, other_address));
+        def!(old = banks.on(MERGE).read_when(reads_old, old_address));
+
+        // A word arrives from the bank that was read, even after a swap, and stays until the next one.
         def!(read_bank = merge.pipe_when(reads, !filled_bank));
-        def!(read_words = banks.on(MERGE).read_when(reads & !is_filled, access.address));
         def!(read_valid = merge.reg(bit()).reset(0));
         read_valid.next(reads);
+        let read_word = match &adds {
+            Some(_) => {
+                def!(read_words = banks.on(MERGE).read_when(reads & !is_filled, access.address));
+                read_words.pick(read_bank)
+            }
+            None => {
+                let arriving = old.pick(read_bank);
+                def!(arrived = merge.pipe_when(*read_valid, arriving));
+                mux(read_valid, arriving, arrived)
+            }
+        };
         merge.cover("the host reads in the clock after a write", reads & merge.past(writes));
         merge.cover("the host writes in the clock of a swap", writes & i.swap);
         merge.assert(
@@ -189,14 +210,7 @@ impl GfbUnit {
             "blank pixels enter the chain in the first round after a swap",
         );
 
-        // On the bank on display, the accumulation buffer uses the chain's port.
-        let adds = self.accumulation.then(|| merge.wire("adds", Adding::widths(self.screen)));
-        let (reads_old, old_address) = match &adds {
-            Some(adds) => (mux(is_filled, enable, adds.busy), mux(is_filled, sequencer.feed, adds.address)),
-            None => (enable & is_filled, sequencer.feed),
-        };
         def!(fed_bank = merge.pipe_when(enable, filled_bank));
-        def!(old = banks.on(MERGE).read_when(reads_old, old_address));
         def!(old_is_blank = merge.pipe_when(enable, sequencer.blank));
         def!(left = merge.pipe_when(enable, mux(old_is_blank, background, old.pick(fed_bank))));
 
@@ -221,8 +235,7 @@ impl GfbUnit {
         };
         word.drive(word_shown);
 
-        let view =
-            View { read_valid: *read_valid, read_word: read_words.pick(read_bank), first_round: sequencer.blank };
+        let view = View { read_valid: *read_valid, read_word, first_round: sequencer.blank };
         GfbUnitOut { view, scan: sequencer.scan, left, blanking, pixel: read_out.pixel }
     }
 

@@ -46,57 +46,57 @@ module gfb_unit_7bdf5cd7 (
 );
 
     reg filled_bank;                                             // rtl/src/gfb/unit.rs:169
-    reg read_bank;                                               // rtl/src/gfb/unit.rs:181
-    reg read_valid;                                              // rtl/src/gfb/unit.rs:183
-    reg fed_bank;                                                // rtl/src/gfb/unit.rs:198
-    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:200
-    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:233
-    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:206
-    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:206
-    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:212
-    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:212
-    (* ASYNC_REG = "TRUE" *) reg shows_average_meta;             // rtl/src/gfb/unit.rs:255
-    (* ASYNC_REG = "TRUE" *) reg shows_average;                  // rtl/src/gfb/unit.rs:255
-    reg shows_average_past;                                      // rtl/src/gfb/unit.rs:256
+    reg read_bank;                                               // rtl/src/gfb/unit.rs:192
+    reg read_valid;                                              // rtl/src/gfb/unit.rs:193
+    reg fed_bank;                                                // rtl/src/gfb/unit.rs:213
+    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:214
+    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:246
+    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:220
+    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:220
+    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:226
+    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:226
+    (* ASYNC_REG = "TRUE" *) reg shows_average_meta;             // rtl/src/gfb/unit.rs:268
+    (* ASYNC_REG = "TRUE" *) reg shows_average;                  // rtl/src/gfb/unit.rs:268
+    reg shows_average_past;                                      // rtl/src/gfb/unit.rs:269
 
     (* no_rw_check *)
-    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:232
+    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:245
 
     wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:163
     wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:163
     wire u_sequencer_stale;                                      // rtl/src/gfb/unit.rs:163
     wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:163
-    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:208
-    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:208
-    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:208
-    wire u_multipass_start;                                      // rtl/src/gfb/unit.rs:251
-    wire u_multipass_first;                                      // rtl/src/gfb/unit.rs:251
-    wire [1:0] u_multipass_passes;                               // rtl/src/gfb/unit.rs:251
-    wire u_multipass_averages;                                   // rtl/src/gfb/unit.rs:251
-    wire adds_busy;                                              // rtl/src/gfb/unit.rs:193
-    wire [6:0] adds_address;                                     // rtl/src/gfb/unit.rs:193
-    wire [23:0] u_accumulation_colour;                           // rtl/src/gfb/unit.rs:254
+    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:222
+    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:222
+    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:222
+    wire u_multipass_start;                                      // rtl/src/gfb/unit.rs:264
+    wire u_multipass_first;                                      // rtl/src/gfb/unit.rs:264
+    wire [1:0] u_multipass_passes;                               // rtl/src/gfb/unit.rs:264
+    wire u_multipass_averages;                                   // rtl/src/gfb/unit.rs:264
+    wire adds_busy;                                              // rtl/src/gfb/unit.rs:182
+    wire [6:0] adds_address;                                     // rtl/src/gfb/unit.rs:182
+    wire [23:0] u_accumulation_colour;                           // rtl/src/gfb/unit.rs:267
 
-    wire [47:0] old_at_fed_bank;                                 // rtl/src/gfb/unit.rs:201
-    wire [47:0] banks_read2_at_shown_bank;                       // rtl/src/gfb/unit.rs:211
-    wire [47:0] u_accumulation_word;                             // rtl/src/gfb/unit.rs:216
+    wire [47:0] old_at_fed_bank;                                 // rtl/src/gfb/unit.rs:215
+    wire [47:0] banks_read2_at_shown_bank;                       // rtl/src/gfb/unit.rs:225
+    wire [47:0] u_accumulation_word;                             // rtl/src/gfb/unit.rs:230
     assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:162
     wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:172
     wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:173
-    wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:235
-    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:241
-    wire [47:0] word = shows_average ? {24'd0, u_accumulation_colour} : banks_read2_at_shown_bank; // rtl/src/gfb/unit.rs:207
-    wire not_filled_bank = !filled_bank;                         // rtl/src/gfb/unit.rs:216
-    wire asserted_or = (shows_average == shows_average_past) | u_crt_dark; // rtl/src/gfb/unit.rs:256
+    wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:248
+    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:254
+    wire [47:0] word = shows_average ? {24'd0, u_accumulation_colour} : banks_read2_at_shown_bank; // rtl/src/gfb/unit.rs:221
+    wire not_filled_bank = !filled_bank;                         // rtl/src/gfb/unit.rs:230
+    wire asserted_or = (shows_average == shows_average_past) | u_crt_dark; // rtl/src/gfb/unit.rs:269
 
     genvar i;
 
     generate
         for (i = 0; i < 2; i = i + 1) begin : row
             reg [47:0] banks [0:127];                                    // rtl/src/gfb/unit.rs:171
-            reg [47:0] read_words;                                       // rtl/src/gfb/unit.rs:182
-            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:199
-            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:211
+            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:189
+            reg [47:0] read_words;                                       // rtl/src/gfb/unit.rs:197
+            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:225
             localparam [31:0] is_filled_listed = i;
             wire is_filled = is_filled_listed[0] == filled_bank;
             wire [6:0] banks_write_address = is_filled ? u_sequencer_store : host_accesses_address;
@@ -106,8 +106,8 @@ module gfb_unit_7bdf5cd7 (
                 if (is_filled ? u_sequencer_stores : writes) begin
                     banks[banks_write_address] <= is_filled ? merged : host_accesses_word;
                 end
-                if (reads & !is_filled) read_words <= banks[host_accesses_address];
                 if (is_filled ? scan_enable : adds_busy) old <= banks[banks_read_address];
+                if (reads & !is_filled) read_words <= banks[host_accesses_address];
             end
 
             always @(posedge crt_clk) begin
@@ -129,7 +129,7 @@ module gfb_unit_7bdf5cd7 (
         .store        (u_sequencer_store)
     );
 
-    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:208
+    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:222
         .clk         (crt_clk),
         .rst         (crt_rst),
         .word        (word),
@@ -140,7 +140,7 @@ module gfb_unit_7bdf5cd7 (
         .window      (u_crt_window)
     );
 
-    multipass_control u_multipass (                              // rtl/src/gfb/unit.rs:251
+    multipass_control u_multipass (                              // rtl/src/gfb/unit.rs:264
         .clk              (merge_clk),
         .rst              (merge_rst),
         .swap             (swap),
@@ -155,7 +155,7 @@ module gfb_unit_7bdf5cd7 (
         .may_swap         (blanking)
     );
 
-    accumulation_width16_height8_crt u_accumulation (            // rtl/src/gfb/unit.rs:254
+    accumulation_width16_height8_crt u_accumulation (            // rtl/src/gfb/unit.rs:267
         .merge_clk    (merge_clk),
         .merge_rst    (merge_rst),
         .crt_clk      (crt_clk),
@@ -169,34 +169,34 @@ module gfb_unit_7bdf5cd7 (
         .colour       (u_accumulation_colour)
     );
 
-    wire [47:0] old_at_fed_bank_lanes [0:1];
-    generate
-        for (i = 0; i < 2; i = i + 1) begin : old_at_fed_bank_of
-            assign old_at_fed_bank_lanes[i] = row[i].old;
-        end
-    endgenerate
-    assign old_at_fed_bank = old_at_fed_bank_lanes[fed_bank];    // rtl/src/gfb/unit.rs:201
-    wire [47:0] banks_read2_at_shown_bank_lanes [0:1];
-    generate
-        for (i = 0; i < 2; i = i + 1) begin : banks_read2_at_shown_bank_of
-            assign banks_read2_at_shown_bank_lanes[i] = row[i].banks_read2;
-        end
-    endgenerate
-    assign banks_read2_at_shown_bank = banks_read2_at_shown_bank_lanes[shown_bank]; // rtl/src/gfb/unit.rs:211
-    wire [47:0] u_accumulation_word_lanes [0:1];
-    generate
-        for (i = 0; i < 2; i = i + 1) begin : u_accumulation_word_of
-            assign u_accumulation_word_lanes[i] = row[i].old;
-        end
-    endgenerate
-    assign u_accumulation_word = u_accumulation_word_lanes[not_filled_bank]; // rtl/src/gfb/unit.rs:216
     wire [47:0] view_read_word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : view_read_word_of
             assign view_read_word_lanes[i] = row[i].read_words;
         end
     endgenerate
-    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:225
+    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:198
+    wire [47:0] old_at_fed_bank_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : old_at_fed_bank_of
+            assign old_at_fed_bank_lanes[i] = row[i].old;
+        end
+    endgenerate
+    assign old_at_fed_bank = old_at_fed_bank_lanes[fed_bank];    // rtl/src/gfb/unit.rs:215
+    wire [47:0] banks_read2_at_shown_bank_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : banks_read2_at_shown_bank_of
+            assign banks_read2_at_shown_bank_lanes[i] = row[i].banks_read2;
+        end
+    endgenerate
+    assign banks_read2_at_shown_bank = banks_read2_at_shown_bank_lanes[shown_bank]; // rtl/src/gfb/unit.rs:225
+    wire [47:0] u_accumulation_word_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_accumulation_word_of
+            assign u_accumulation_word_lanes[i] = row[i].old;
+        end
+    endgenerate
+    assign u_accumulation_word = u_accumulation_word_lanes[not_filled_bank]; // rtl/src/gfb/unit.rs:230
 
     always @(posedge merge_clk) begin
         if (scan_enable) entered[place] <= left;
@@ -267,13 +267,13 @@ module gfb_unit_7bdf5cd7 (
 `endif
 
 `ifndef SYNTHESIS
-    reg writes_past;                                             // rtl/src/gfb/unit.rs:185
-    reg swap_past;                                               // rtl/src/gfb/unit.rs:188
-    reg is_full;                                                 // rtl/src/gfb/unit.rs:234
-    reg was_full;                                                // rtl/src/gfb/unit.rs:238
-    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:209
-    reg has_past;                                                // rtl/src/gfb/unit.rs:185
-    reg has_past_2;                                              // rtl/src/gfb/unit.rs:209
+    reg writes_past;                                             // rtl/src/gfb/unit.rs:206
+    reg swap_past;                                               // rtl/src/gfb/unit.rs:209
+    reg is_full;                                                 // rtl/src/gfb/unit.rs:247
+    reg was_full;                                                // rtl/src/gfb/unit.rs:251
+    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:223
+    reg has_past;                                                // rtl/src/gfb/unit.rs:206
+    reg has_past_2;                                              // rtl/src/gfb/unit.rs:223
 
     initial has_past = 1'b0;
     initial has_past_2 = 1'b0;
@@ -306,15 +306,15 @@ module gfb_unit_7bdf5cd7 (
 
 `ifdef FORMAL
     always @(posedge merge_clk) begin
-        if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:185
-        if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:186
-        if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:187
-        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:242
+        if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:206
+        if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:207
+        if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:208
+        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:255
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:209
-        if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:210
-        if (!crt_rst) assert (!has_past_2 | asserted_or);            // rtl/src/gfb/unit.rs:256
+        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:223
+        if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:224
+        if (!crt_rst) assert (!has_past_2 | asserted_or);            // rtl/src/gfb/unit.rs:269
     end
 `else
     reg is_covered;
@@ -324,39 +324,39 @@ module gfb_unit_7bdf5cd7 (
     reg is_covered_3;
     initial is_covered_3 = 1'b0;
     always @(posedge merge_clk) begin
-        if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:185
+        if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:206
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the host reads in the clock after a write", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!merge_rst && (writes & swap) && !is_covered_2) begin    // rtl/src/gfb/unit.rs:186
+        if (!merge_rst && (writes & swap) && !is_covered_2) begin    // rtl/src/gfb/unit.rs:207
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the host writes in the clock of a swap", $time);
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!merge_rst && !(!has_past | (!swap_past | view_first_round))) begin // rtl/src/gfb/unit.rs:187
+        if (!merge_rst && !(!has_past | (!swap_past | view_first_round))) begin // rtl/src/gfb/unit.rs:208
             $display("FAIL: time %0t: %m: blank pixels enter the chain in the first round after a swap", $time);
             stop;
         end
-        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:242
+        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:255
             $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap equals the word in its bank", $time);
             stop;
         end
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:209
+        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:223
             $display("FAIL: time %0t: %m: no refresh shows two frames", $time);
             stop;
         end
-        if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:210
+        if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:224
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the display changes to the other bank", $time);
             `endif
             is_covered_3 <= 1'b1;
         end
-        if (!crt_rst && !(!has_past_2 | asserted_or)) begin          // rtl/src/gfb/unit.rs:256
+        if (!crt_rst && !(!has_past_2 | asserted_or)) begin          // rtl/src/gfb/unit.rs:269
             $display("FAIL: time %0t: %m: no refresh shows both an average and a pass", $time);
             stop;
         end

@@ -43,34 +43,37 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
 );
 
     reg filled_bank;                                             // rtl/src/gfb/unit.rs:169
-    reg read_bank;                                               // rtl/src/gfb/unit.rs:181
-    reg read_valid;                                              // rtl/src/gfb/unit.rs:183
-    reg fed_bank;                                                // rtl/src/gfb/unit.rs:198
-    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:200
-    reg [2:0] place;                                             // rtl/src/gfb/unit.rs:233
-    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:206
-    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:206
-    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:212
-    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:212
+    reg read_bank;                                               // rtl/src/gfb/unit.rs:192
+    reg read_valid;                                              // rtl/src/gfb/unit.rs:193
+    reg [47:0] arrived;                                          // rtl/src/gfb/unit.rs:202
+    reg fed_bank;                                                // rtl/src/gfb/unit.rs:213
+    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:214
+    reg [2:0] place;                                             // rtl/src/gfb/unit.rs:246
+    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:220
+    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:220
+    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:226
+    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:226
 
     (* no_rw_check *)
-    reg [47:0] entered [0:7];                                    // rtl/src/gfb/unit.rs:232
+    reg [47:0] entered [0:7];                                    // rtl/src/gfb/unit.rs:245
 
     wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:163
     wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:163
     wire u_sequencer_stale;                                      // rtl/src/gfb/unit.rs:163
     wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:163
-    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:208
-    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:208
-    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:208
+    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:222
+    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:222
+    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:222
 
-    wire [47:0] old_at_fed_bank;                                 // rtl/src/gfb/unit.rs:201
-    wire [47:0] word;                                            // rtl/src/gfb/unit.rs:207
+    wire [47:0] old_at_read_bank;                                // rtl/src/gfb/unit.rs:201
+    wire [47:0] old_at_fed_bank;                                 // rtl/src/gfb/unit.rs:215
+    wire [47:0] word;                                            // rtl/src/gfb/unit.rs:221
     assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:162
     wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:172
     wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:173
-    wire is_last = scan_enable & (place == 3'd7);                // rtl/src/gfb/unit.rs:235
-    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:241
+    assign view_read_word = read_valid ? old_at_read_bank : arrived; // rtl/src/gfb/unit.rs:203
+    wire is_last = scan_enable & (place == 3'd7);                // rtl/src/gfb/unit.rs:248
+    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:254
 
     genvar i;
 
@@ -78,23 +81,22 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
         for (i = 0; i < 2; i = i + 1) begin : row
             (* no_rw_check *)
             reg [47:0] banks [0:127];                                    // rtl/src/gfb/unit.rs:171
-            reg [47:0] read_words;                                       // rtl/src/gfb/unit.rs:182
-            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:199
-            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:211
+            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:189
+            reg [47:0] banks_read1;                                      // rtl/src/gfb/unit.rs:225
             localparam [31:0] is_filled_listed = i;
             wire is_filled = is_filled_listed[0] == filled_bank;
             wire [6:0] banks_write_address = is_filled ? u_sequencer_store : host_accesses_address;
+            wire [6:0] banks_read_address = is_filled ? u_sequencer_feed : host_accesses_address;
 
             always @(posedge merge_clk) begin
                 if (is_filled ? u_sequencer_stores : writes) begin
                     banks[banks_write_address] <= is_filled ? merged : host_accesses_word;
                 end
-                if (reads & !is_filled) read_words <= banks[host_accesses_address];
-                if (scan_enable & is_filled) old <= banks[u_sequencer_feed];
+                if (is_filled ? scan_enable : reads) old <= banks[banks_read_address];
             end
 
             always @(posedge crt_clk) begin
-                banks_read2 <= banks[u_crt_address];
+                banks_read1 <= banks[u_crt_address];
             end
         end
     endgenerate
@@ -112,7 +114,7 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
         .store        (u_sequencer_store)
     );
 
-    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:208
+    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:222
         .clk         (crt_clk),
         .rst         (crt_rst),
         .word        (word),
@@ -123,27 +125,27 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
         .window      (u_crt_window)
     );
 
+    wire [47:0] old_at_read_bank_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : old_at_read_bank_of
+            assign old_at_read_bank_lanes[i] = row[i].old;
+        end
+    endgenerate
+    assign old_at_read_bank = old_at_read_bank_lanes[read_bank]; // rtl/src/gfb/unit.rs:201
     wire [47:0] old_at_fed_bank_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : old_at_fed_bank_of
             assign old_at_fed_bank_lanes[i] = row[i].old;
         end
     endgenerate
-    assign old_at_fed_bank = old_at_fed_bank_lanes[fed_bank];    // rtl/src/gfb/unit.rs:201
+    assign old_at_fed_bank = old_at_fed_bank_lanes[fed_bank];    // rtl/src/gfb/unit.rs:215
     wire [47:0] word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : word_of
-            assign word_lanes[i] = row[i].banks_read2;
+            assign word_lanes[i] = row[i].banks_read1;
         end
     endgenerate
-    assign word = word_lanes[shown_bank];                        // rtl/src/gfb/unit.rs:207
-    wire [47:0] view_read_word_lanes [0:1];
-    generate
-        for (i = 0; i < 2; i = i + 1) begin : view_read_word_of
-            assign view_read_word_lanes[i] = row[i].read_words;
-        end
-    endgenerate
-    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:225
+    assign word = word_lanes[shown_bank];                        // rtl/src/gfb/unit.rs:221
 
     always @(posedge merge_clk) begin
         if (scan_enable) entered[place] <= left;
@@ -151,6 +153,10 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
 
     always @(posedge merge_clk) begin
         if (reads) read_bank <= !filled_bank;
+    end
+
+    always @(posedge merge_clk) begin
+        if (read_valid) arrived <= old_at_read_bank;
     end
 
     always @(posedge merge_clk) begin
@@ -207,13 +213,13 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
 `endif
 
 `ifndef SYNTHESIS
-    reg writes_past;                                             // rtl/src/gfb/unit.rs:185
-    reg swap_past;                                               // rtl/src/gfb/unit.rs:188
-    reg is_full;                                                 // rtl/src/gfb/unit.rs:234
-    reg was_full;                                                // rtl/src/gfb/unit.rs:238
-    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:209
-    reg has_past;                                                // rtl/src/gfb/unit.rs:185
-    reg has_past_2;                                              // rtl/src/gfb/unit.rs:209
+    reg writes_past;                                             // rtl/src/gfb/unit.rs:206
+    reg swap_past;                                               // rtl/src/gfb/unit.rs:209
+    reg is_full;                                                 // rtl/src/gfb/unit.rs:247
+    reg was_full;                                                // rtl/src/gfb/unit.rs:251
+    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:223
+    reg has_past;                                                // rtl/src/gfb/unit.rs:206
+    reg has_past_2;                                              // rtl/src/gfb/unit.rs:223
 
     initial has_past = 1'b0;
     initial has_past_2 = 1'b0;
@@ -246,14 +252,14 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
 
 `ifdef FORMAL
     always @(posedge merge_clk) begin
-        if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:185
-        if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:186
-        if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:187
-        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:242
+        if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:206
+        if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:207
+        if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:208
+        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:255
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:209
-        if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:210
+        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:223
+        if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:224
     end
 `else
     reg is_covered;
@@ -263,33 +269,33 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     reg is_covered_3;
     initial is_covered_3 = 1'b0;
     always @(posedge merge_clk) begin
-        if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:185
+        if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:206
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the host reads in the clock after a write", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!merge_rst && (writes & swap) && !is_covered_2) begin    // rtl/src/gfb/unit.rs:186
+        if (!merge_rst && (writes & swap) && !is_covered_2) begin    // rtl/src/gfb/unit.rs:207
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the host writes in the clock of a swap", $time);
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!merge_rst && !(!has_past | (!swap_past | view_first_round))) begin // rtl/src/gfb/unit.rs:187
+        if (!merge_rst && !(!has_past | (!swap_past | view_first_round))) begin // rtl/src/gfb/unit.rs:208
             $display("FAIL: time %0t: %m: blank pixels enter the chain in the first round after a swap", $time);
             stop;
         end
-        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:242
+        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:255
             $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap equals the word in its bank", $time);
             stop;
         end
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:209
+        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:223
             $display("FAIL: time %0t: %m: no refresh shows two frames", $time);
             stop;
         end
-        if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:210
+        if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:224
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the display changes to the other bank", $time);
             `endif
