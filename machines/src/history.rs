@@ -4,6 +4,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use crate::areas::Area;
 use tilewright_scenes::frame::blank;
 use tilewright_scenes::{Frame, Size};
 
@@ -23,16 +24,25 @@ use tilewright_scenes::{Frame, Size};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Recorder(Arc<Mutex<Option<History>>>);
+pub struct Recorder {
+    history: Arc<Mutex<Option<History>>>,
+    /// Whether areas are recorded, too.
+    pub(crate) has_areas: bool,
+}
 
 impl Recorder {
+    /// One that also records the areas that units work on, which takes longer.
+    pub fn with_areas() -> Recorder {
+        Recorder { has_areas: true, ..Recorder::default() }
+    }
+
     /// Takes the history of the last frame.
     pub fn take(&self) -> Option<History> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+        self.history.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 
     pub(crate) fn put(&self, history: History) {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(history);
+        *self.history.lock().unwrap_or_else(PoisonError::into_inner) = Some(history);
     }
 }
 
@@ -51,6 +61,8 @@ pub struct History {
     pub writes: Vec<Write>,
     /// The activities of units, in the sequence of a chart.
     pub lanes: Vec<Lane>,
+    /// The areas that units work on by their begin, if they are recorded and the machine has them.
+    pub areas: Vec<Area>,
 }
 
 /// A change of a pixel by a unit.
@@ -179,7 +191,7 @@ impl Painting {
         let Painting { size, background, mut writes, .. } = self;
         // Stable: changes at the same time keep their sequence.
         writes.sort_by_key(|write| write.time);
-        History { size, background, region: None, painters, writes, lanes }
+        History { size, background, region: None, painters, writes, lanes, areas: Vec::new() }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Whole rendering machines: programs, hardware, a scene, a frame.
 
+mod areas;
 mod error;
 mod history;
 mod mean;
@@ -14,6 +15,7 @@ mod trail;
 pub mod vc1;
 mod way;
 
+pub use areas::Area;
 pub use error::Error;
 pub use history::{History, Lane, Recorder, Span, Write};
 pub use mean::Mean;

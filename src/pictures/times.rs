@@ -116,7 +116,15 @@ mod tests {
 
     fn history(lanes: Vec<Lane>) -> History {
         let size = Size::new(1, 1).expect("in range");
-        History { size, background: [0; 3], region: None, painters: Vec::new(), writes: Vec::new(), lanes }
+        History {
+            size,
+            background: [0; 3],
+            region: None,
+            painters: Vec::new(),
+            writes: Vec::new(),
+            lanes,
+            areas: Vec::new(),
+        }
     }
 
     /// The bars of a lane in the chart: class and milliseconds.

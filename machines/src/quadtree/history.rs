@@ -4,6 +4,8 @@ use super::config::Config;
 use super::counters::Counters;
 use super::hardware::Hardware;
 use super::report::{Report, Stage};
+use super::visits::Visits;
+use crate::error::Error;
 use crate::history::{History, Lane, Painting, Write};
 use tilewright_scenes::frame::depth_of;
 
@@ -24,6 +26,8 @@ pub(super) struct Recording {
     looks: Vec<(u64, Counters)>,
     /// Picoseconds of a clock.
     period: u64,
+    /// The windows that units divide, if they are recorded.
+    visits: Option<Visits>,
 }
 
 impl Recording {
@@ -42,13 +46,26 @@ impl Recording {
             left: 1,
             looks: vec![(time, counters)],
             period,
+            visits: None,
         }
+    }
+
+    /// The same with the windows that units divide.
+    ///
+    /// # Errors
+    /// A parameter is out of range.
+    pub fn with_visits(self, config: &Config) -> Result<Recording, Error> {
+        Ok(Recording { visits: Some(Visits::new(config)?), ..self })
     }
 
     /// Observes an edge.
     pub fn see(&mut self, hardware: &mut Hardware) {
         for number in 0..self.fragments.len() {
             self.see_fragment(number as u32, hardware);
+        }
+        if let Some(visits) = &mut self.visits {
+            let coming = hardware.sim.time() + self.period;
+            visits.see(hardware, coming);
         }
         self.left -= 1;
         if self.left == 0 {
@@ -97,7 +114,8 @@ impl Recording {
         let mut reader = Lane::of_clocks("controller", self.period, 1);
         reader.add("reading out", drawn, end, (end - drawn) / self.period);
         lanes.push(reader);
-        self.painting.into_history(names, lanes)
+        let areas = self.visits.map_or_else(Vec::new, Visits::into_areas);
+        History { areas, ..self.painting.into_history(names, lanes) }
     }
 
     /// The clocks in which a packet of the broadcast waited.

@@ -131,8 +131,11 @@ impl Machine {
             }
         };
         let (time, period) = (self.hardware.sim.time(), self.hardware.sim.program().clocks[0].period);
-        let recording =
-            self.recorder.as_ref().map(|_| Recording::new(&self.config, background, before.clone(), time, period));
+        let recording = self.recorder.as_ref().map(|recorder| {
+            let recording = Recording::new(&self.config, background, before.clone(), time, period);
+            if recorder.has_areas { recording.with_visits(&self.config) } else { Ok(recording) }
+        });
+        let recording = recording.transpose()?;
         let following = |it: &Follower| Following::new(it, &self.config, packets, background, period).map(Box::new);
         let following = self.follower.as_ref().map(following).transpose()?;
         let mut host = Host::new(&mut self.hardware, watch);

@@ -29,6 +29,7 @@ mod rectangles;
 mod report;
 mod stages;
 mod study;
+mod visits;
 mod way;
 mod windows;
 

@@ -10,12 +10,13 @@ use super::history;
 use super::host::Host;
 use super::job::Views;
 use super::model::Model;
+use super::pages::Pages;
 use super::processor::Processor;
 use super::program::Settings;
 use super::report::{Report, Shown};
 use super::way::Following;
 use crate::error::Error;
-use crate::history::{Painting, Recorder};
+use crate::history::{History, Painting, Recorder};
 use crate::run::Watch;
 use crate::way::Follower;
 
@@ -152,6 +153,9 @@ impl Machine {
         let begun = self.hardware.edge();
         if self.recorder.is_some() {
             self.hardware.notes.painting = Some(Painting::new(self.config.size, background));
+            let screen = [self.config.size.width(), self.config.size.height()];
+            let pages = self.recorder.as_ref().filter(|it| it.has_areas);
+            self.hardware.notes.pages = pages.map(|_| Pages::new(self.config.patch, screen, self.config.processors));
             processors = processors.into_iter().map(Processor::logged).collect();
         }
         let mut report = Report {
@@ -173,7 +177,8 @@ impl Machine {
         (report.polygons, report.load_words) = (host.scene.polygons, host.scene.words);
         (report.judged, report.compared) = (host.judged(), host.compared());
         if let (Some(recorder), Some(painting)) = (&self.recorder, self.hardware.notes.painting.take()) {
-            recorder.put(history::of(painting, &processors, begun, &report));
+            let areas = self.hardware.notes.pages.take().map_or_else(Vec::new, Pages::into_areas);
+            recorder.put(History { areas, ..history::of(painting, &processors, begun, &report) });
         }
         Ok(report)
     }

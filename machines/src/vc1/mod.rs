@@ -41,6 +41,7 @@ mod job;
 mod machine;
 pub mod model;
 mod notes;
+mod pages;
 mod ports;
 mod processor;
 mod program;

@@ -3,6 +3,7 @@
 use tilewright_rtl::swap::SwapState;
 
 use super::model::{Event, Place, What};
+use super::pages::Pages;
 use super::program::Access;
 use super::words::Word;
 use crate::history::{Painting, Write};
@@ -18,6 +19,8 @@ pub(crate) struct Notes {
     first_round: bool,
     /// The recorded pixels of local frame buffers, if they are recorded.
     pub painting: Option<Painting>,
+    /// The patches that have a page in the buffer being drawn, if they are recorded.
+    pub pages: Option<Pages>,
     /// A change of events, for a test that the comparison finds it.
     #[cfg(test)]
     pub falsify: Option<Box<dyn Fn(Event) -> Option<Event>>>,
@@ -46,6 +49,7 @@ impl Notes {
             changes: 0,
             first_round: true,
             painting: None,
+            pages: None,
             #[cfg(test)]
             falsify: None,
         }
@@ -56,12 +60,18 @@ impl Notes {
         let place = Place::Processor(number);
         match at.taken {
             Some(Access::Draw(pixel)) => {
+                if let Some(pages) = &mut self.pages {
+                    pages.draws(clock * Event::PE_PERIOD, number, [pixel.x, pixel.y]);
+                }
                 let at = pixel.y * self.width + pixel.x;
                 self.add(clock, place, What::Draws(at));
                 self.paint(Write { time: clock * Event::PE_PERIOD, pixel: at, painter: number, word: pixel.word });
             }
             Some(Access::Clear(patch)) => self.add(clock, place, What::Clears(patch)),
             _ => {}
+        }
+        if let Some(pages) = &mut self.pages {
+            pages.swap(clock * Event::PE_PERIOD, number, at.may);
         }
         match at.may {
             [SwapState::Clear, SwapState::Draw] => self.add(clock, place, What::Resumes),
