@@ -1,6 +1,7 @@
 //! The machines, and the options of each.
 
 mod figures;
+mod followed;
 mod job;
 pub mod pixel_planes;
 pub mod pixelflow;
@@ -13,9 +14,10 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 pub use figures::{ENTRANTS, Entrant, Figures};
+pub use followed::{Followed, follow};
 pub use job::{Job, Run};
 pub use vc1::Turn;
-pub use viewed::Viewed;
+pub use viewed::{Viewed, Visitor, visit};
 
 /// A machine by its name on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -40,6 +40,12 @@ impl TraceOptions {
         TraceOptions { scope, from: Some(times.start), to: Some(times.end), memory: Vec::new() }
     }
 
+    /// The same with a word of a memory.
+    pub fn with_word(mut self, memory: &str, address: u32) -> TraceOptions {
+        self.memory.push((memory.to_owned(), address..address + 1));
+        self
+    }
+
     /// Whether the user asks for some signals only.
     pub fn is_scoped(&self) -> bool {
         !self.scope.is_empty()

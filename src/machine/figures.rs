@@ -9,7 +9,7 @@ use super::vc1::Vc1Options;
 use crate::shell::{Failure, progress};
 use serde::Serialize;
 use tilewright_hdl::ir::State;
-use tilewright_hdl::{Block, elaborate};
+use tilewright_hdl::{Block, Design, elaborate};
 use tilewright_scenes::{Frame, Scene};
 
 /// The numbers of a frame, counted in the simulated machine or derived from its structure.
@@ -100,6 +100,13 @@ fn drawn(job: &impl Compared, run: &Run) -> Result<(Frame, Figures), Failure> {
 /// Its description has a mistake.
 pub fn state<B: Block>(block: &B) -> Result<State, Failure> {
     progress::phase("counting");
-    let design = elaborate(block).map_err(tilewright_sim::Error::from)?;
-    Ok(design.state())
+    Ok(elaborated(block)?.state())
+}
+
+/// The circuit of a block.
+///
+/// # Errors
+/// Its description has a mistake.
+pub fn elaborated<B: Block>(block: &B) -> Result<Design, Failure> {
+    Ok(elaborate(block).map_err(tilewright_sim::Error::from)?)
 }

@@ -1,13 +1,14 @@
 //! A frame to render, on any machine.
 
 use crate::engine::{EngineArguments, tell_fallback};
-use crate::shell::Failure;
 use crate::shell::output::Waveform;
+use crate::shell::{Failure, interrupt};
 use crate::trace::TraceOptions;
 use crate::watch::watched;
 use serde::Serialize;
 use std::cell::RefCell;
 use std::fmt::Display;
+use std::sync::atomic::AtomicBool;
 use tilewright_hdl::Bundle;
 use tilewright_machines::{Follower, Recorder, Watch};
 use tilewright_scenes::{Frame, Size};
@@ -43,6 +44,8 @@ pub struct Run<'a> {
     pub recorder: Option<&'a Recorder>,
     /// The pixel that is followed, if one is.
     pub follower: Option<&'a Follower>,
+    /// Stops the run soon after it becomes true, in place of Ctrl-C.
+    pub cancel: Option<&'a AtomicBool>,
     /// The header of the waveform, once it is attached.
     pub header: RefCell<Vec<u8>>,
 }
@@ -50,7 +53,15 @@ pub struct Run<'a> {
 impl<'a> Run<'a> {
     /// A run that leaves nothing but its frame.
     pub fn new(engine: EngineArguments, filters: &'a TraceOptions) -> Run<'a> {
-        Run { engine, filters, waveform: None, recorder: None, follower: None, header: RefCell::default() }
+        Run {
+            engine,
+            filters,
+            waveform: None,
+            recorder: None,
+            follower: None,
+            cancel: None,
+            header: RefCell::default(),
+        }
     }
 }
 
@@ -81,7 +92,7 @@ impl Run<'_> {
         render: impl FnOnce(&mut Watch) -> Result<T, tilewright_machines::Error>,
         picoseconds: impl FnOnce(&T) -> u64,
     ) -> Result<T, Failure> {
-        let ended = watched(render).map_err(Failure::from);
+        let ended = watched(self.cancel.unwrap_or_else(|| interrupt::flag()), render).map_err(Failure::from);
         if let Ok(done) = &ended {
             self.filters.warn_if_empty(picoseconds(done));
         }

@@ -11,6 +11,7 @@ use crate::scene::polygons_and_spheres;
 use crate::shell::{Exit, Failure};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, value_parser};
+use tilewright_hdl::Design;
 use tilewright_machines::pixel_planes::{Config, Edges, Machine, RendererReport, Report};
 use tilewright_rtl::pixel_planes::PERIOD;
 use tilewright_scenes::golden::{Rule, fragments_of, render_polygons_watched};
@@ -164,5 +165,9 @@ impl Viewed for PixelPlanesJob {
     fn grid(&self) -> Option<Grid> {
         let side = self.config.side;
         Some(Grid { name: format!("regions of {side}x{side}"), size: [side; 2] })
+    }
+
+    fn design(&self) -> Result<Option<Design>, Failure> {
+        Ok(None)
     }
 }

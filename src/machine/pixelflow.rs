@@ -14,6 +14,7 @@ use crate::shell::{Exit, Failure};
 use clap::{Args, ValueEnum};
 pub use stereo::StereoJob;
 use stereo::StereoName;
+use tilewright_hdl::Design;
 use tilewright_machines::pixelflow::{Config, Machine, Report};
 use tilewright_scenes::deferred::{Deferred, Samples, Shading};
 use tilewright_scenes::golden::{fragments, render_deferred_watched, render_samples_watched, render_watched};
@@ -325,5 +326,9 @@ impl Viewed for PixelFlowJob {
     fn grid(&self) -> Option<Grid> {
         let [width, height] = self.config.array;
         Some(Grid { name: format!("regions of {width}x{height}"), size: [width, height] })
+    }
+
+    fn design(&self) -> Result<Option<Design>, Failure> {
+        Ok(None)
     }
 }

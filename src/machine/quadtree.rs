@@ -1,6 +1,6 @@
 //! `--machine quadtree`.
 
-use super::figures::{Compared, Figures, state};
+use super::figures::{Compared, Figures, elaborated, state};
 use super::first_given;
 use super::job::{Job, Run};
 use super::viewed::Viewed;
@@ -11,6 +11,7 @@ use crate::scene::polygons;
 use crate::shell::Failure;
 use clap::Args;
 use clap::builder::PossibleValue;
+use tilewright_hdl::Design;
 use tilewright_machines::quadtree::{Config, Machine, Queues, Report, Stage, Test};
 use tilewright_rtl::quadtree::format::Matrix;
 use tilewright_scenes::golden::{render_strict_watched, render_watched};
@@ -186,5 +187,9 @@ impl Viewed for QuadtreeJob {
     fn grid(&self) -> Option<Grid> {
         let (p, q) = self.config.matrix;
         Some(Grid { name: format!("a pixel of each processor, {p}x{q}"), size: [p, q] })
+    }
+
+    fn design(&self) -> Result<Option<Design>, Failure> {
+        elaborated(&self.config.generator().map_err(tilewright_machines::Error::from)?).map(Some)
     }
 }

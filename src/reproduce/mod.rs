@@ -184,7 +184,7 @@ fn files(prefix: &str, page: &Page) -> Vec<File> {
 
 /// The page of one paper.
 fn page(paper: Paper, effort: Effort) -> Result<Page, Failure> {
-    let page = watched(|watch| match paper {
+    let page = watched(interrupt::flag(), |watch| match paper {
         Paper::Quadtree => quadtree::page(effort, watch),
         Paper::PixelPlanes => pixel_planes::page(effort, watch),
         Paper::PixelFlow => pixelflow::page(effort, watch),

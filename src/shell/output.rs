@@ -76,7 +76,8 @@ pub struct Waveform {
     is_plain: bool,
     /// The path, if the file was created for this run.
     made: Option<PathBuf>,
-    is_standard: bool,
+    /// Whether the user is told that it was written.
+    is_told: bool,
 }
 
 impl Waveform {
@@ -88,14 +89,7 @@ impl Waveform {
         let name = shown(path);
         if is_standard_output(path) {
             let name = STANDARD_OUTPUT.to_owned();
-            return Ok(Waveform {
-                name,
-                file: taken()?,
-                is_fst: false,
-                is_plain: false,
-                made: None,
-                is_standard: true,
-            });
+            return Ok(Waveform { name, file: taken()?, is_fst: false, is_plain: false, made: None, is_told: false });
         }
         let place = Place::of(path)?;
         let (real, is_plain) = match &place {
@@ -112,7 +106,13 @@ impl Waveform {
         }
         let made = is_new.then(|| real.to_owned());
         let is_fst = path.extension().is_some_and(|it| it.eq_ignore_ascii_case("fst"));
-        Ok(Waveform { name, file, is_fst, is_plain, made, is_standard: false })
+        Ok(Waveform { name, file, is_fst, is_plain, made, is_told: true })
+    }
+
+    /// A file without a name, which is not told of.
+    pub fn temporary(file: File) -> Waveform {
+        let name = "a temporary file".to_owned();
+        Waveform { name, file, is_fst: false, is_plain: false, made: None, is_told: false }
     }
 
     /// The waveform that a simulation writes to this file.
@@ -137,7 +137,7 @@ impl Waveform {
 
     /// Says that it was written.
     pub fn tell_written(&self) {
-        if !self.is_standard {
+        if self.is_told {
             talk(&format!("wrote {}", self.name));
         }
     }

@@ -2,7 +2,7 @@
 
 mod block;
 mod scene;
-mod text;
+pub mod text;
 
 pub use block::node;
 

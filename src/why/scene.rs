@@ -2,7 +2,7 @@
 
 use super::text::{Told, json, text};
 use crate::engine::EngineArguments;
-use crate::machine::{Job, Machine, MachineArguments, Run};
+use crate::machine::{Followed, Job, Machine, MachineArguments, Run, follow};
 use crate::names;
 use crate::scene::{load, size};
 use crate::shell::output::Waveform;
@@ -15,7 +15,7 @@ use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use tilewright_machines::{Follower, Step, Way};
+use tilewright_machines::{Step, Way};
 use tilewright_scenes::{Scene, Size};
 
 /// Clocks of the waveform on each side of the step.
@@ -113,20 +113,7 @@ impl Asked<'_> {
             ));
         }
         let waveform = self.output.map(Waveform::at).transpose()?;
-        let golden = job.golden()?;
-        let (follower, filters) = (Follower::new(self.pixel), TraceOptions::default());
-        let engine = EngineArguments::default();
-        progress::phase("building");
-        let rendered = job.render(&Run { follower: Some(&follower), ..Run::new(engine, &filters) });
-        let (frame, failed) = match rendered {
-            Ok((frame, _)) => (Some(frame), None),
-            Err(failure) if asked_to_end(&failure) => return Err(failure),
-            Err(failure) => (None, Some(failure)),
-        };
-        let (way, failed) = match (follower.take(), failed) {
-            (None, Some(failure)) => return Err(failure),
-            (way, failed) => (way.unwrap_or_default(), failed),
-        };
+        let Followed { golden, frame, way, failed } = follow(job, self.pixel, None)?;
         let told = Told {
             scene: &self.scene.name,
             machine,
@@ -174,11 +161,6 @@ impl Asked<'_> {
         });
         written.collect()
     }
-}
-
-/// Whether a run failed because it was interrupted.
-fn asked_to_end(failure: &Failure) -> bool {
-    matches!(failure.exit, Exit::Interrupted | Exit::HungUp | Exit::Terminated)
 }
 
 /// The last step of the visible primitive, or of any.

@@ -1,10 +1,11 @@
 //! A picture on the VC-1.
 
 use crate::golden;
-use crate::machine::figures::{Compared, Figures, state};
+use crate::machine::figures::{Compared, Figures, elaborated, state};
 use crate::machine::job::{Job, Run};
 use crate::machine::viewed::Viewed;
 use crate::shell::Failure;
+use tilewright_hdl::Design;
 use tilewright_machines::vc1::{Config, Machine, Report, Shown, Times};
 use tilewright_rtl::clocks::PE;
 use tilewright_scenes::golden::{average, render_watched};
@@ -113,5 +114,9 @@ impl Viewed for Vc1Job {
     fn grid(&self) -> Option<Grid> {
         let side = self.config.patch;
         Some(Grid { name: format!("patches of {side}x{side}, each a page"), size: [side; 2] })
+    }
+
+    fn design(&self) -> Result<Option<Design>, Failure> {
+        elaborated(&self.config.hardware().map_err(tilewright_machines::Error::from)?).map(Some)
     }
 }
