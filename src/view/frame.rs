@@ -1,32 +1,21 @@
 //! A scene on the machines, as the page asks for it.
 
 use super::Exported;
-use super::picture::{data, drawn};
+use super::areas::{self, areas};
+use super::moment::{Moment, moment};
+use super::picture::drawn;
+use super::query::Query;
+use super::shelf::{Shelf, State, Wish};
+use super::way::{PixelWay, way};
 use crate::machine::Machine;
 use crate::shell::{Exit, Failure, progress};
 use clap::ValueEnum;
-use serde_json::json;
-use std::collections::VecDeque;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use serde_json::{Value, json};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::thread;
 use tilewright_scenes::Scene;
 use tilewright_view::{Answer, Page, Site};
-
-/// The most frames that are kept: all machines at two places of the camera, and some more.
-const MOST_KEPT: usize = 12;
-
-/// A frame: its machine, and the degrees by which the camera is turned.
-type Key = (Machine, i32);
-
-/// What is known of a frame.
-#[derive(Clone)]
-enum State {
-    /// Others are drawn before.
-    Waiting,
-    Drawing,
-    Drawn(Arc<Vec<u8>>),
-    Failed(String),
-}
 
 /// A scene, and its frames.
 pub struct FrameSite {
@@ -34,32 +23,78 @@ pub struct FrameSite {
     machines: Vec<Machine>,
     /// The one that is shown first.
     first: Machine,
-    /// Whether the page can turn the camera.
-    orbits: bool,
-    shelf: Arc<Shelf>,
+    /// Whether there is a server, which draws what the page asks for.
+    is_live: bool,
+    shelf: Arc<Shelf<Asked, Made>>,
 }
 
-/// The frames that have been asked for; the newest is the last.
-#[derive(Default)]
-struct Shelf {
-    frames: Mutex<VecDeque<(Key, State)>>,
-    /// Raised when a frame has been asked for.
-    asked: Condvar,
+/// What a page asks for: of a machine, and with the camera turned by those degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Asked {
+    machine: Machine,
+    turn: i32,
+    what: What,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum What {
+    Frame,
+    /// The areas that its units work on.
+    Areas,
+    /// The way of that pixel.
+    Way([u32; 2]),
+    /// The block at a step of the way of a pixel.
+    Moment([u32; 2], usize),
+}
+
+#[derive(Clone)]
+enum Made {
+    /// A frame, or its areas.
+    Data(Arc<Vec<u8>>),
+    Way(Arc<PixelWay>),
+    Moment(Arc<Moment>),
+}
+
+impl Wish for Asked {
+    fn kind(&self) -> usize {
+        match self.what {
+            What::Frame => 0,
+            What::Areas => 1,
+            What::Way(_) => 2,
+            What::Moment(..) => 3,
+        }
+    }
+
+    /// All machines at two places of the camera, and some more.
+    fn most(&self) -> usize {
+        12
+    }
+
+    /// Pixels of another picture, another pixel, or another step.
+    fn is_superseded(&self, by: &Asked) -> bool {
+        match (self.what, by.what) {
+            (What::Frame | What::Areas, _) | (_, What::Areas) => false,
+            (_, What::Frame) => self.turn != by.turn,
+            (What::Way(pixel), What::Way(other)) => self.turn != by.turn || pixel != other,
+            (What::Way(_), What::Moment(..)) => false,
+            (What::Moment(..), _) => self != by,
+        }
+    }
 }
 
 impl FrameSite {
     /// A site that draws what it is asked for, and begins with that machine.
     pub fn live(scene: Scene, first: Machine) -> FrameSite {
         let machines = Machine::value_variants().to_vec();
-        let site = FrameSite { scene: Arc::new(scene), machines, first, orbits: true, shelf: Arc::default() };
+        let site = FrameSite { scene: Arc::new(scene), machines, first, is_live: true, shelf: Arc::new(Shelf::new()) };
         let (scene, shelf) = (site.scene.clone(), site.shelf.clone());
         // One thread draws: a machine takes all processors that it can use.
         thread::spawn(move || {
             loop {
-                shelf.draw_next(&scene);
+                shelf.make_next(|asked, stop| make(&scene, &shelf, asked, stop));
             }
         });
-        site.frame((first, 0));
+        site.shelf.ask(Asked { machine: first, turn: 0, what: What::Frame });
         site
     }
 
@@ -72,67 +107,73 @@ impl FrameSite {
             let name = machines[twice].name();
             return Err(Failure::new(Exit::BadInput, format!("--machine {name} is given twice: leave one out")));
         }
-        let (first, shelf) = (machines[0], Arc::default());
-        Ok(FrameSite { scene: Arc::new(scene), machines: machines.to_vec(), first, orbits: false, shelf })
+        let (first, shelf) = (machines[0], Arc::new(Shelf::new()));
+        Ok(FrameSite { scene: Arc::new(scene), machines: machines.to_vec(), first, is_live: false, shelf })
     }
 
-    /// The machine of a name such as `frame/vc1`.
-    fn machine(&self, name: &str) -> Option<Machine> {
-        let name = name.strip_prefix("frame/")?;
-        self.machines.iter().copied().find(|machine| machine.name() == name)
+    /// The machine of a name such as `frame/vc1`, and what is asked of it.
+    fn machine<'a>(&self, name: &'a str) -> Option<(&'a str, Machine)> {
+        let (what, name) = name.split_once('/')?;
+        self.machines.iter().copied().find(|machine| machine.name() == name).map(|machine| (what, machine))
     }
 
-    /// What is known of a frame, which is asked for now.
-    fn frame(&self, key: Key) -> State {
-        let mut frames = self.shelf.lock();
-        if let Some((_, state)) = frames.iter().find(|(of, _)| *of == key) {
-            return state.clone();
-        }
-        if frames.len() == MOST_KEPT {
-            frames.pop_front();
-        }
-        frames.push_back((key, State::Waiting));
-        self.shelf.asked.notify_one();
-        State::Waiting
+    /// What a name and a query ask for.
+    fn asked(&self, name: &str, query: &Query) -> Option<Asked> {
+        let (what, machine) = self.machine(name)?;
+        let turn = query.number("turn").filter(|turn| (-180..=180).contains(turn))?;
+        let pixel = || Some([query.number("x")?, query.number("y")?]);
+        let what = match what {
+            "frame" => What::Frame,
+            "areas" if areas::name(machine).is_some() => What::Areas,
+            "way" => What::Way(pixel()?),
+            "moment" => What::Moment(pixel()?, query.number("step")?),
+            _ => return None,
+        };
+        Some(Asked { machine, turn, what })
     }
 }
 
-impl Shelf {
-    fn lock(&self) -> MutexGuard<'_, VecDeque<(Key, State)>> {
-        self.frames.lock().unwrap_or_else(PoisonError::into_inner)
-    }
+/// Makes what is asked for.
+fn make(scene: &Scene, shelf: &Shelf<Asked, Made>, asked: Asked, stop: &AtomicBool) -> Result<Made, Failure> {
+    let Asked { machine, turn, what } = asked;
+    let scene = Scene { camera: scene.camera.orbited(f64::from(turn)), ..scene.clone() };
+    Ok(match what {
+        What::Frame => Made::Data(Arc::new(drawn(&scene, machine)?.json())),
+        What::Areas => Made::Data(Arc::new(areas(&scene, machine, Some(stop))?.json())),
+        What::Way(pixel) => Made::Way(Arc::new(way(&scene, machine, pixel, stop)?)),
+        What::Moment(pixel, number) => {
+            let known = match shelf.made(Asked { what: What::Way(pixel), ..asked }) {
+                Some(Made::Way(known)) => known,
+                _ => Arc::new(way(&scene, machine, pixel, stop)?),
+            };
+            let Some(step) = known.way.steps.get(number) else {
+                let sentence = format!("the way of the pixel has {} steps", known.way.steps.len());
+                return Err(Failure::new(Exit::BadInput, sentence));
+            };
+            Made::Moment(Arc::new(moment(&scene, machine, step, stop)?))
+        }
+    })
+}
 
-    fn set(&self, key: Key, state: State) {
-        if let Some((_, kept)) = self.lock().iter_mut().find(|(of, _)| *of == key) {
-            *kept = state;
+impl Made {
+    /// The data that the page reads.
+    fn answer(&self, query: &Query) -> Answer {
+        let whole = |value: &Value| Answer::Whole(value.to_string().into_bytes());
+        match self {
+            Made::Data(bytes) => Answer::Whole(bytes.to_vec()),
+            Made::Way(way) => whole(&way.told),
+            Made::Moment(moment) => match query.number("unit").map_or(Ok(None), |unit| moment.unit(unit)) {
+                Ok(Some(value)) => whole(&value),
+                Ok(None) => Answer::Unknown,
+                Err(failure) => refused(&failure),
+            },
         }
     }
+}
 
-    /// Waits for a frame that has been asked for, and draws it.
-    fn draw_next(&self, scene: &Scene) {
-        let next = |frames: &VecDeque<(Key, State)>| {
-            frames.iter().find(|(_, state)| matches!(state, State::Waiting)).map(|(key, _)| *key)
-        };
-        let mut frames = self.lock();
-        let key @ (machine, turn) = loop {
-            match next(&frames) {
-                Some(key) => break key,
-                None => frames = self.asked.wait(frames).unwrap_or_else(PoisonError::into_inner),
-            }
-        };
-        drop(frames);
-        self.set(key, State::Drawing);
-        let camera = scene.camera.orbited(f64::from(turn));
-        let turned = Scene { camera, ..scene.clone() };
-        let result = std::panic::catch_unwind(|| drawn(&turned, machine));
-        let state = match result {
-            Ok(Ok(picture)) => State::Drawn(Arc::new(picture.json())),
-            Ok(Err(failure)) => State::Failed(failure.sentences().collect::<Vec<_>>().join("; ")),
-            // The sentence is on the terminal.
-            Err(_) => State::Failed("this is a mistake in tilewright, please report it".to_owned()),
-        };
-        self.set(key, state);
-    }
+/// A failure as the page tells it.
+pub fn refused(failure: &Failure) -> Answer {
+    Answer::Refused(failure.sentences().collect::<Vec<_>>().join("; "))
 }
 
 impl Site for FrameSite {
@@ -142,36 +183,45 @@ impl Site for FrameSite {
 
     fn about(&self) -> String {
         let Scene { name, size, .. } = &*self.scene;
-        let machine = |machine: &Machine| json!({ "name": machine.name(), "summary": machine.summary() });
+        let machine = |machine: &Machine| json!({ "name": machine.name(), "summary": machine.summary(), "areas": areas::name(*machine) });
         let about = json!({
             "title": format!("{name}, {size} pixels"),
             "summary": "One scene on all machines",
             "machines": self.machines.iter().map(machine).collect::<Vec<_>>(),
             "first": self.first.name(),
-            "orbits": self.orbits,
+            "orbits": self.is_live,
         });
         about.to_string()
     }
 
     fn data(&self, name: &str, query: &str) -> Answer {
-        let Some(machine) = self.machine(name) else { return Answer::Unknown };
-        let turn = query.strip_prefix("turn=").and_then(|turn| turn.parse().ok());
-        let Some(turn) = turn.filter(|turn| (-180..=180).contains(turn)) else { return Answer::Unknown };
-        match self.frame((machine, turn)) {
-            State::Waiting => Answer::Working { what: "waiting for another frame".to_owned(), done: None },
-            State::Drawing => {
+        let query = Query::of(query);
+        let Some(asked) = self.asked(name, &query) else { return Answer::Unknown };
+        if query.has("stop") {
+            self.shelf.forget(asked);
+            return Answer::Whole(b"null".to_vec());
+        }
+        match self.shelf.ask(asked) {
+            State::Waiting => Answer::Working { what: "waiting for other work".to_owned(), done: None },
+            State::Working => {
                 let (what, done) = progress::now();
                 Answer::Working { what: what.to_owned(), done }
             }
-            State::Drawn(bytes) => Answer::Whole(bytes.to_vec()),
+            State::Made(made) => made.answer(&query),
             State::Failed(sentence) => Answer::Refused(sentence),
+            State::Stopped => Answer::Refused("something else was asked for meanwhile: ask again".to_owned()),
         }
     }
 }
 
 impl Exported for FrameSite {
     fn whole(&self, name: &str) -> Result<Vec<u8>, Failure> {
-        let machine = self.machine(name).expect("the names are those of the machines");
-        data(&self.scene, machine).map_err(|failure| failure.of(machine.name()))
+        let (what, machine) = self.machine(name).expect("the names are those of the machines");
+        let data = if what == "areas" {
+            areas(&self.scene, machine, None).map(|areas| areas.json())
+        } else {
+            drawn(&self.scene, machine).map(|picture| picture.json())
+        };
+        data.map_err(|failure| failure.of(machine.name()))
     }
 }

@@ -1,10 +1,16 @@
 //! `tilewright view`: a page in the browser that shows a frame coming into being, or a block clock by clock.
 
+mod areas;
 mod block;
 mod frame;
+mod moment;
 pub mod nets;
 mod open;
 mod picture;
+mod query;
+mod recorded;
+mod shelf;
+mod way;
 
 use crate::block::entries;
 use crate::machine::Machine;
@@ -40,11 +46,12 @@ The command prints the address of the page, and serves it until Ctrl-C. The exit
 on 127.0.0.1 alone. It answers only addresses with the token that it printed, and no page from elsewhere.
 
 A scene: the frame comes into being by machine time. Each machine draws when the page asks for it, as `render` draws without options, and is compared
-with the golden image. The page shows which unit wrote which pixel, and what each unit does. The camera turns when the picture is dragged.
+with the golden image. The page shows which unit wrote which pixel, and what each unit does. The camera turns when the picture is dragged. A click on a
+pixel asks why it has its colour, as `why` tells it, and a step of the answer opens its block at that clock.
 
-A block: its diagram, the wave of its scenario, and the value of each net at a clock, with its source line.
+A block: its diagram, its wave, and the value of each net at a clock, with its source line. A click on a unit in the diagram opens that unit.
 
---export writes the page as files, which a browser opens without a server, such as page/index.html.
+--export writes the page as files, which a browser opens without a server, such as page/index.html. That page does not tell why a pixel has its colour.
 
 Exit code 2 also means that the port of --port is in use.")]
 pub struct View {
@@ -79,7 +86,7 @@ impl View {
             Some(entry) => {
                 let site = BlockSite::new(entry, &self.settings)?;
                 match &self.export {
-                    Some(folder) => write(folder, &site, &[BlockSite::DATA]),
+                    Some(folder) => write(folder, &site, &site.names()),
                     None => self.serve(Arc::new(site)),
                 }
             }
@@ -127,8 +134,10 @@ impl View {
         };
         let machines = if self.machines.is_empty() { &[Machine::Vc1] } else { &self.machines[..] };
         let site = FrameSite::of(scene, machines)?;
-        let names: Vec<String> = machines.iter().map(|machine| format!("frame/{}", machine.name())).collect();
-        write(folder, &site, &names.iter().map(String::as_str).collect::<Vec<_>>())
+        let frames = machines.iter().map(|machine| format!("frame/{}", machine.name()));
+        let with_areas = machines.iter().filter(|machine| areas::name(**machine).is_some());
+        let names: Vec<String> = frames.chain(with_areas.map(|machine| format!("areas/{}", machine.name()))).collect();
+        write(folder, &site, &names)
     }
 
     fn serve(&self, site: Arc<dyn Site>) -> Result<Exit, Failure> {
@@ -156,9 +165,9 @@ impl View {
 }
 
 /// Writes a page with these data to a folder.
-fn write(folder: &Path, site: &dyn Exported, names: &[&str]) -> Result<Exit, Failure> {
+fn write(folder: &Path, site: &dyn Exported, names: &[String]) -> Result<Exit, Failure> {
     let data: Vec<(String, Vec<u8>)> =
-        names.iter().map(|name| Ok(((*name).to_owned(), site.whole(name)?))).collect::<Result<_, Failure>>()?;
+        names.iter().map(|name| Ok((name.clone(), site.whole(name)?))).collect::<Result<_, Failure>>()?;
     let files = export::files(site.page(), &site.about(), data);
     let mut inner: Vec<&str> = files.iter().filter_map(|file| Some(file.name.rsplit_once('/')?.0)).collect();
     inner.sort_unstable();

@@ -1,11 +1,7 @@
 //! A frame of a machine with its history, as the page reads it.
 
 use crate::engine::EngineArguments;
-use crate::machine::pixel_planes::PixelPlanesOptions;
-use crate::machine::pixelflow::PixelFlowOptions;
-use crate::machine::quadtree::QuadtreeOptions;
-use crate::machine::vc1::Vc1Options;
-use crate::machine::{Machine, Run, Viewed};
+use crate::machine::{Machine, Run, Viewed, Visitor, visit};
 use crate::pictures::times;
 use crate::shell::{Failure, progress};
 use crate::trace::TraceOptions;
@@ -21,20 +17,20 @@ use tilewright_view::{Clock, Kind, Lane, Part, Picture, Unit, Write};
 /// # Errors
 /// The machine cannot draw the scene; Ctrl-C.
 pub fn drawn(scene: &Scene, machine: Machine) -> Result<Picture, Failure> {
-    match machine {
-        Machine::Vc1 => picture(scene, machine, &Vc1Options::default().job(scene)?),
-        Machine::Quadtree => picture(scene, machine, &QuadtreeOptions::default().job(scene, false)?),
-        Machine::PixelPlanes => picture(scene, machine, &PixelPlanesOptions::default().job(scene, false)?),
-        Machine::PixelFlow => picture(scene, machine, &PixelFlowOptions::default().job(scene)?),
-    }
+    visit(scene, machine, Drawing { scene, machine })
 }
 
-/// The same as JSON.
-///
-/// # Errors
-/// As [`drawn`].
-pub fn data(scene: &Scene, machine: Machine) -> Result<Vec<u8>, Failure> {
-    drawn(scene, machine).map(|picture| picture.json())
+struct Drawing<'a> {
+    scene: &'a Scene,
+    machine: Machine,
+}
+
+impl Visitor for Drawing<'_> {
+    type Output = Picture;
+
+    fn visit(self, job: &impl Viewed) -> Result<Picture, Failure> {
+        picture(self.scene, self.machine, job)
+    }
 }
 
 fn picture(scene: &Scene, machine: Machine, job: &impl Viewed) -> Result<Picture, Failure> {
@@ -119,12 +115,7 @@ mod tests {
             for write in &picture.writes {
                 frame.words[write.pixel as usize] = word(write.depth, write.colour);
             }
-            let golden = match machine {
-                Machine::Vc1 => Vc1Options::default().job(&scene).unwrap().golden_frame(),
-                Machine::Quadtree => QuadtreeOptions::default().job(&scene, false).unwrap().golden_frame(),
-                Machine::PixelPlanes => PixelPlanesOptions::default().job(&scene, false).unwrap().golden_frame(),
-                Machine::PixelFlow => PixelFlowOptions::default().job(&scene).unwrap().golden_frame(),
-            };
+            let golden = visit(&scene, *machine, Golden).unwrap();
             assert!(frame == golden, "{}", machine.name());
             let clocks: Vec<u32> = picture.writes.iter().map(|write| write.clock).collect();
             assert!(clocks.is_sorted() && u64::from(clocks[clocks.len() - 1]) <= picture.end, "{}", machine.name());
@@ -137,13 +128,13 @@ mod tests {
         }
     }
 
-    trait GoldenFrame {
-        fn golden_frame(&self) -> Frame;
-    }
+    struct Golden;
 
-    impl<J: Viewed> GoldenFrame for J {
-        fn golden_frame(&self) -> Frame {
-            self.golden().unwrap()
+    impl Visitor for Golden {
+        type Output = Frame;
+
+        fn visit(self, job: &impl Viewed) -> Result<Frame, Failure> {
+            job.golden()
         }
     }
 }

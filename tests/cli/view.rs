@@ -98,22 +98,106 @@ fn a_scene_is_served_until_ctrl_c() {
 fn a_block_is_served() {
     let served = Served::start(&Folder::new(), "merging-unit");
     assert!(served.get("").1.contains("<script src=\"block.js\">"));
-    let (status, data) = served.data("block");
+    let (status, data) = served.data("unit/0");
     assert_eq!((status, &data["times"][1]), (200, &80_000.into()));
     let net = |name: &str| data["nets"].as_array().unwrap().iter().find(|net| net["name"] == name).unwrap();
     assert_eq!(net("left")["changes"][1], serde_json::json!([1, "5"]));
     assert_eq!(net("nearer")["changes"][1], serde_json::json!([5, "5"]));
     let source = net("decided1")["source"].as_str().unwrap();
     assert!(source.starts_with("rtl/src/merger/") && source.contains(".rs:"), "{source}");
-    assert!(
-        data["diagram"].as_str().unwrap().starts_with("<svg ") && data["wave"].as_str().unwrap().starts_with("<svg ")
-    );
+    assert!(["diagram", "narrow"].iter().all(|it| data[*it].as_str().unwrap().starts_with("<svg ")));
+    let ports =
+        data["nets"].as_array().unwrap().iter().filter(|net| net["port"] == true).map(|net| net["name"].clone());
+    assert_eq!(ports.collect::<Vec<_>>(), ["left", "right", "enable", "nearer"]);
+    assert_eq!((served.data("unit/1").0, served.data("unit/-1").0, served.data("block").0), (404, 404, 404));
     assert_eq!(served.stop("INT").code, Some(0));
 
     // One with several clocks, of which none is called `clk`.
     let served = Served::start(&Folder::new(), "gfb-unit");
-    let times = served.data("block").1["times"].as_array().unwrap().len();
+    let times = served.data("unit/0").1["times"].as_array().unwrap().len();
     assert!(times > 100, "{times}");
+    assert_eq!(served.stop("INT").code, Some(0));
+}
+
+/// A chain of merging units is an array, each lane of which is a unit with values of its own.
+#[test]
+fn units_inside_of_a_block_are_served() {
+    let served = Served::start(&Folder::new(), "image-merger");
+    let top = served.data("unit/0").1;
+    let links = |of: &serde_json::Value, list: &str| {
+        let links = of[list].as_array().unwrap().iter();
+        links.map(|it| (it["name"].as_str().unwrap().to_owned(), it["number"].as_u64().unwrap())).collect::<Vec<_>>()
+    };
+    let units = links(&top, "units");
+    assert!(units.len() > 1 && units[0].0 == "u_merging_unit[0]", "{units:?}");
+    let [first, second] = [0, 1].map(|number: usize| served.data(&format!("unit/{}", units[number].1)).1);
+    assert_eq!((links(&first, "siblings"), links(&second, "outer").len()), (units, 1));
+    assert_ne!(first["nets"], second["nets"]);
+    assert_eq!(first["diagram"], second["diagram"]);
+    // The first unit's result is what the second one compares.
+    let changes = |of: &serde_json::Value, name: &str| {
+        let nets = of["nets"].as_array().unwrap();
+        nets.iter().find(|net| net["name"] == name).unwrap()["changes"].clone()
+    };
+    assert_eq!(changes(&first, "nearer"), changes(&second, "left"));
+    assert_eq!(served.stop("INT").code, Some(0));
+}
+
+/// The way is that of `why`, and a step of it has its unit in a wave around the step where the machine is simulated as a whole.
+#[test]
+fn a_pixel_and_its_steps_are_served() {
+    let folder = Folder::with_pyramid();
+    let served = Served::start(&folder, "pyramid.obj --size 32x24 --machine quadtree --quiet");
+    let pixel = "turn=0&x=16&y=12";
+    for machine in ["vc1", "quadtree", "pixel-planes-5"] {
+        let (status, way) = served.data(&format!("way/{machine}?{pixel}"));
+        let told = folder.json(&format!("why pyramid.obj --size 32x24 --machine {machine} --pixel 16,12 --json"));
+        assert_eq!((status, &way["identical"], &way["failed"]), (200, &true.into(), &serde_json::Value::Null));
+        assert_eq!((&way["steps"], &way["primitives"]), (&told["steps"], &told["primitives"]), "{machine}");
+        let steps = way["steps"].as_array().unwrap();
+        let number = steps.iter().rposition(|step| !step["primitive"].is_null() && !step["net"].is_null()).unwrap();
+        let step = &steps[number];
+        let (status, moment) = served.data(&format!("moment/{machine}?{pixel}&step={number}&unit=0"));
+        let unit = &moment["unit"];
+        let asked: Vec<_> = unit["nets"].as_array().unwrap().iter().filter(|net| net["asked"] == true).collect();
+        let (path, name) = step["net"].as_str().unwrap().rsplit_once('.').unwrap();
+        assert_eq!((status, asked.len(), &asked[0]["name"]), (200, 1, &name.into()), "{machine}");
+        assert!(asked[0]["source"].as_str().unwrap().starts_with("rtl/src/"), "{moment}");
+        let (times, place) = (unit["times"].as_array().unwrap(), unit["step"].as_u64().unwrap() as usize);
+        if machine == "pixel-planes-5" {
+            assert!(moment["note"].as_str().unwrap().contains("each unit of pixel-planes-5 is simulated separately"));
+            assert_eq!(times.len(), 1);
+            continue;
+        }
+        assert_eq!((&moment["path"], &times[place]), (&path.into(), &step["picoseconds"]), "{machine}");
+        assert!((20..200).contains(&times.len()), "{}", times.len());
+        let beyond = steps.len();
+        assert_eq!(served.data(&format!("moment/{machine}?{pixel}&step={beyond}&unit=0")).0, 422);
+    }
+    let (status, answer) = served.data("way/quadtree?turn=0&x=32&y=0");
+    assert_eq!((status, &answer["sentence"]), (422, &"pixel 32,0 is outside of a picture of 32x24".into()));
+    for name in ["way/vc1?turn=0&x=1", "way/vc1?turn=0&x=-1&y=0", "moment/vc1?turn=0&x=1&y=1", "areas/pixelflow?turn=0"]
+    {
+        assert_eq!(served.get(&format!("data/{name}")).0, 404, "{name}");
+    }
+    let (status, areas) = served.data("areas/quadtree?turn=0");
+    assert!(status == 200 && areas["count"].as_u64().unwrap() > 100 && areas["levels"] == 3, "{}", areas["levels"]);
+    assert_eq!(served.stop("INT").code, Some(0));
+}
+
+/// A pixel that is asked about replaces the one before, whose page is told.
+#[test]
+fn another_pixel_replaces_the_one_before() {
+    let served = Served::start(&Folder::new(), "teapot --size 320x240 --quiet");
+    let ask = |name: &str| served.get(&format!("data/{name}")).0;
+    assert_eq!(served.data("frame/vc1?turn=0").0, 200);
+    let [one, other] = [100, 101].map(|x| format!("way/vc1?turn=0&x={x}&y=100"));
+    assert_eq!((ask(&one), ask(&other)), (202, 202));
+    let (status, answer) = served.data(&one);
+    assert_eq!((status, &answer["sentence"]), (422, &"something else was asked for meanwhile: ask again".into()));
+    // Nobody waits for it any more.
+    assert_eq!(ask(&format!("{other}&stop")), 200);
+    assert_eq!((ask(&one), served.data(&one).0), (202, 200));
     assert_eq!(served.stop("INT").code, Some(0));
 }
 
@@ -218,7 +302,9 @@ fn two_exports_have_the_same_bytes() {
     assert!(one == other);
     let names: Vec<&str> = one.keys().filter_map(|name| name.to_str()).collect();
     assert!(
-        ["index.html", "about.js", "data/frame/vc1.js", "data/frame/pixelflow.js"].iter().all(|it| names.contains(it)),
+        ["index.html", "about.js", "data/frame/vc1.js", "data/frame/pixelflow.js", "data/areas/vc1.js"]
+            .iter()
+            .all(|it| names.contains(it)),
         "{names:?}"
     );
     let place = folders[0].path("").to_str().unwrap().to_owned();

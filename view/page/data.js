@@ -3,6 +3,9 @@
 /** Milliseconds between two questions whether data are made. */
 const AGAIN = 120;
 
+/** What is thrown to ask no more. */
+class Stopped extends Error {}
+
 /** The data of a name. A server that is still making them tells what it does. */
 const load = (name, query, told) => IS_EXPORTED ? loadScript(name) : ask(name, query, told);
 

@@ -18,7 +18,7 @@ const clockOf = ({ film }, share) =>
 
 /** Draws all at the present time. */
 const draw = () => {
-    const options = { paint: at("paint").value, fresh: at("fresh").checked, grid: at("grid").value === "on" };
+    const options = { paint: at("paint").value, fresh: at("fresh").checked, overlay: at("grid").value };
     for (const panel of loaded()) {
         panel.draw(clockOf(panel, playing.share), options);
         view.lanes.get(panel)?.draw(panel.clock);
@@ -57,8 +57,26 @@ const step = forward => {
 
 const choosePixel = pixel => {
     view.pixel = pixel;
-    if (pixel) [at("x").value, at("y").value] = [pixel.x, pixel.y];
+    if (pixel) [at("x").value, at("y").value] = [pixel.x, pixel.y]; else moment.leave();
+    playing.isPlaying = false;
     draw();
+};
+
+const middle = ({ film: { picture: { size } } }) => ({ x: size[0] >> 1, y: size[1] >> 1 });
+
+/** Chooses a pixel, or takes the chosen one, and asks why it has its colour. */
+const askPixel = (panel, pixel) => {
+    if (!panel.film) return;
+    choosePixel(pixel ?? view.pixel ?? middle(panel));
+    askWhy(panel, view.pixel);
+};
+
+/** Moves the pixel by columns and rows, or begins in the middle. */
+const movePixel = (panel, x, y) => {
+    if (!panel.film) return;
+    const [width, height] = panel.film.picture.size, inside = (value, size) => Math.min(Math.max(value, 0), size - 1);
+    const { pixel } = view;
+    choosePixel(pixel ? { x: inside(pixel.x + x, width), y: inside(pixel.y + y, height) } : middle(panel));
 };
 
 /** Shows the grids and units of the pictures that have been loaded. */
@@ -67,8 +85,10 @@ const arrived = panel => {
     view.lanes.set(panel, lanes);
     at("lanes").replaceChildren(...loaded().map(it => view.lanes.get(it).element));
     const grids = [...new Set(loaded().flatMap(({ film }) => film.picture.grids.map(({ name }) => name)))];
-    at("grid-label").hidden = grids.length === 0;
-    choose(at("grid"), [["off", "none"], ["on", grids.join(", ")]]);
+    const areas = view.panels.map(({ machine }) => machine.areas).filter(it => it);
+    const overlays = [["grid", grids.join(", ")], ["areas", areas.join(", ")]].filter(([, name]) => name);
+    at("grid-label").hidden = overlays.length === 0;
+    choose(at("grid"), [["off", "none"], ...overlays]);
     const [width, height] = panel.film.picture.size;
     [at("x").max, at("y").max] = [width - 1, height - 1];
     draw();
@@ -80,7 +100,7 @@ const show = choice => {
     playing.pause();
     view.lanes.clear();
     at("lanes").replaceChildren();
-    view.panels = machines.map(machine => new Panel(machine, { clicked: choosePixel, dragged }));
+    view.panels = machines.map(machine => new Panel(machine, { clicked: askPixel, dragged, moved: movePixel }));
     at("panels").classList.toggle("several", machines.length > 1);
     at("panels").replaceChildren(...view.panels.map(panel => panel.element));
     at("pace-label").hidden = machines.length < 2;
@@ -115,6 +135,14 @@ const dragged = (share, isOver) => {
     turned?.finally(() => view.isTurning = false);
 };
 
+/** Leaves the block of a step, or else the pixel. */
+const leave = () => {
+    if (!at("moment").hidden) return moment.leave();
+    whys.forEach(it => it.stop());
+    document.activeElement?.blur();
+    choosePixel(null);
+};
+
 const cycle = select => {
     select.selectedIndex = (select.selectedIndex + 1) % select.options.length;
     draw();
@@ -139,7 +167,8 @@ const main = () => {
     at("place").addEventListener("submit", event => {
         event.preventDefault();
         const inside = id => Math.min(Math.max(Math.floor(Number(at(id).value)), 0), Number(at(id).max));
-        choosePixel({ x: inside("x"), y: inside("y") });
+        const panel = loaded()[0];
+        if (panel) askPixel(panel, { x: inside("x"), y: inside("y") });
     });
     addEventListener("resize", draw);
 
@@ -157,9 +186,11 @@ const main = () => {
         ...machineKeys,
         ...(several.length > 0 ? [["a", "a", "show all machines side by side", () => show(ALL)]] : []),
         ["c", "c", "next colours", () => cycle(at("paint"))],
-        ["g", "g", "grid on or off", () => at("grid-label").hidden || cycle(at("grid"))],
+        ["g", "g", "next overlay: grid, windows, pages", () => at("grid-label").hidden || cycle(at("grid"))],
         ["n", "n", "highlight the newest pixels", () => { at("fresh").checked = !at("fresh").checked; draw(); }],
-        ["Escape", "Esc", "leave the pixel", () => choosePixel(null)],
+        ["", "↑ ↓ ← →", "on the picture: move the pixel, with Shift by ten"],
+        ["", "Enter", "on the picture: why the pixel has its colour; again: stop"],
+        ["Escape", "Esc", "leave the block of a step, then the pixel", leave],
     ]);
     show(ABOUT.first);
 };

@@ -5,24 +5,34 @@ const NEWEST = 0.01;
 /** Pixels that a finger or a mouse moves before a click becomes a drag. */
 const STEADY = 6;
 
+/** The keys that move a pixel on the picture, each with columns and rows. */
+const MOVES = [["ArrowLeft", -1, 0], ["ArrowRight", 1, 0], ["ArrowUp", 0, -1], ["ArrowDown", 0, 1]]
+    .flatMap(([key, x, y]) => [[key, x, y], [`Shift+${key}`, 10 * x, 10 * y]]);
+
 /** A machine's picture with its overlays. */
 class Panel {
-    constructor(machine, { clicked, dragged }) {
+    constructor(machine, { clicked, dragged, moved }) {
         Object.assign(this, { machine, film: null, clock: 0, took: Infinity });
         const image = (className, label) => make("canvas", { className, role: label ? "img" : "presentation", "aria-label": label ?? "" });
         this.canvas = image("picture", `The frame on ${machine.name}`);
         this.over = image("over");
         this.grid = make("div", { className: "grid" });
+        this.boxes = make("canvas", { className: "boxes", role: "presentation", hidden: true });
         this.spot = make("div", { className: "spot", hidden: true });
         this.wait = make("div", { className: "wait", role: "status" });
-        this.stage = make("div", { className: "stage" }, this.canvas, this.over, this.grid, this.spot, this.wait);
+        const keys = `Picture of ${machine.name}: arrow keys move a pixel, Enter asks why it has its colour`;
+        this.stage = make("div", { className: "stage", tabIndex: 0, role: "group", "aria-label": keys }, this.canvas, this.over, this.grid, this.boxes, this.spot, this.wait);
         this.verdict = make("span");
-        this.element = make("figure", {}, make("figcaption", {}, make("strong", {}, machine.name), this.verdict), this.stage);
+        this.laid = make("div", { className: "laid hint", hidden: true });
+        this.element = make("figure", {}, make("figcaption", {}, make("strong", {}, machine.name), this.verdict), this.stage, this.laid);
         this.point(clicked, dragged);
+        const own = [...MOVES.map(([key, x, y]) => [key, "", "", () => moved(this, x, y)]), ["Enter", "", "", () => clicked(this, null)]];
+        this.stage.addEventListener("keydown", event => actOnKey(own, event) && event.stopPropagation());
     }
 
     /** Loads the frame, and says what is being done for it. */
     async load(query, loaded) {
+        this.query = query;
         const begin = performance.now();
         const ticket = this.ticket = Symbol(query);
         try {
@@ -61,7 +71,7 @@ class Panel {
     }
 
     /** Draws the picture at a clock. */
-    draw(clock, { paint, fresh, grid }) {
+    draw(clock, { paint, fresh, overlay }) {
         if (!this.film) return;
         if (this.paint !== paint || this.painted !== this.film) {
             [this.paint, this.painted] = [paint, this.film];
@@ -71,7 +81,36 @@ class Panel {
         this.painter.seek(this.film.until(clock));
         this.painter.highlight(fresh ? this.film.until(clock - Math.ceil(this.film.end * NEWEST)) : this.painter.at);
         this.painter.draw();
-        this.layGrid(grid ? this.film.picture.grids[0] : null);
+        this.layGrid(overlay === "grid" ? this.film.picture.grids[0] : null);
+        this.layAreas(overlay === "areas" && !!this.machine.areas);
+    }
+
+    /** Lays what the units work on over the picture, once it has been loaded. */
+    layAreas(isWanted) {
+        this.boxes.hidden = this.laid.hidden = !isWanted;
+        if (!isWanted) return;
+        if (this.areasOf !== this.film) {
+            this.areasOf = this.film;
+            this.areas = null;
+            this.loadAreas(this.film);
+        }
+        if (!this.areas) return;
+        const count = this.areas.draw(this.boxes, this.film, this.clock);
+        const legend = this.areas.levels > 0 ? [" Levels: ", ...this.areas.legend()] : [];
+        this.laid.replaceChildren(`${whole(count)} ${this.areas.name}.`, ...legend);
+    }
+
+    async loadAreas(film) {
+        const tell = it => this.areasOf === film && this.laid.replaceChildren(`Drawing again for them: ${it.what} …`);
+        try {
+            tell({ what: "asking" });
+            const areas = await Areas.of(await load(`areas/${this.machine.name}`, this.query, tell));
+            if (this.areasOf !== film) return;
+            this.areas = areas;
+            this.layAreas(!this.boxes.hidden);
+        } catch (error) {
+            if (this.areasOf === film) this.laid.replaceChildren(make("span", { className: "bad" }, error.message));
+        }
     }
 
     layGrid(grid) {
@@ -113,7 +152,7 @@ class Panel {
             if (moved) return dragged((event.clientX - x) / this.stage.clientWidth, true);
             const box = this.canvas.getBoundingClientRect(), [width, height] = this.film.picture.size;
             const inside = (value, size) => Math.min(Math.max(Math.floor(value), 0), size - 1);
-            clicked({
+            clicked(this, {
                 x: inside((event.clientX - box.left) / box.width * width, width),
                 y: inside((event.clientY - box.top) / box.height * height, height),
             });

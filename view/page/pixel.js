@@ -24,17 +24,26 @@ const written = (panel, pixel, go) => {
     const cells = head.map((name, number) => make("th", { scope: "col", className: [0, 1, 3].includes(number) ? "number" : "" }, name));
     const table = make("table", {}, make("thead", {}, make("tr", {}, ...cells)), make("tbody", {}, ...rows));
     const more = changes.length > MOST_LISTED ? [make("p", { className: "hint" }, `The last ${MOST_LISTED} of ${changes.length} changes.`)] : [];
-    return make("div", { className: "scroll" }, ...more, table);
+    return make("div", { className: "written scroll" }, ...more, table);
 };
 
-/** The parts of what is known of a pixel, in the sequence of the page. */
-const PIXEL_PARTS = [written];
+/** The parts of what is known of a pixel, in the sequence of the page. A part that has not changed is the element that it was. */
+const PIXEL_PARTS = [written, why];
 
 /** Shows what is known of a pixel on each of some machines. */
 const tellPixel = (panels, pixel, go) => {
     at("pixel-title").textContent = pixel ? `The pixel in column ${pixel.x}, row ${pixel.y}` : "A pixel";
     at("pixel-hint").hidden = !!pixel;
-    const of = panel => make("div", {}, make("h3", {}, panel.machine.name), ...PIXEL_PARTS.map(part => part(panel, pixel, go)));
+    const known = pixel ? panels.filter(panel => panel.film) : [];
     at("known").classList.toggle("several", panels.length > 1);
-    at("known").replaceChildren(...(pixel ? panels.filter(panel => panel.film).map(of) : []));
+    const places = known.map(panel => panel.known ??= make("div", {}, make("h3", {}, panel.machine.name), ...PIXEL_PARTS.map(() => make("div"))));
+    if (places.length !== at("known").children.length || places.some((it, number) => it !== at("known").children[number])) at("known").replaceChildren(...places);
+    known.forEach((panel, place) => PIXEL_PARTS.forEach((part, number) => {
+        const old = places[place].children[number + 1], element = part(panel, pixel, go);
+        if (element === old) return;
+        // A button that was pressed keeps the focus in its place.
+        const pressed = [...old.querySelectorAll("button")].indexOf(document.activeElement);
+        old.replaceWith(element);
+        if (pressed >= 0) element.querySelectorAll("button")[pressed]?.focus();
+    }));
 };

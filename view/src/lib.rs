@@ -3,6 +3,8 @@
 //! The page is plain HTML, CSS and JavaScript in `page/`. A [`Server`] answers for it on the loopback, and [`export::files`] gives the
 //! same page as files that open without a server. The crate knows no machine and no circuit: a [`Site`] has the data.
 
+mod areas;
+mod columns;
 mod connection;
 pub mod export;
 #[doc(hidden)]
@@ -14,6 +16,7 @@ mod server;
 mod site;
 mod token;
 
+pub use areas::{Area, Areas};
 pub use page::Page;
 pub use picture::{Clock, Grid, Kind, Lane, Part, Picture, Unit, Write};
 pub use server::Server;

@@ -36,8 +36,17 @@ macro_rules! asset {
     };
 }
 
-const SHARED: &[Asset] =
-    &[asset!("style.css", CSS), asset!("data.js", SCRIPT), asset!("dom.js", SCRIPT), asset!("keys.js", SCRIPT)];
+const SHARED: &[Asset] = &[
+    asset!("style.css", CSS),
+    asset!("circuit.css", CSS),
+    asset!("data.js", SCRIPT),
+    asset!("dom.js", SCRIPT),
+    asset!("keys.js", SCRIPT),
+    asset!("values.js", SCRIPT),
+    asset!("wave.js", SCRIPT),
+    asset!("diagram.js", SCRIPT),
+    asset!("circuit.js", SCRIPT),
+];
 
 const FRAME: &[Asset] = &[
     ("index.html", HTML, include_str!("../page/frame.html")),
@@ -45,14 +54,20 @@ const FRAME: &[Asset] = &[
     asset!("clock.js", SCRIPT),
     asset!("film.js", SCRIPT),
     asset!("paint.js", SCRIPT),
+    asset!("areas.js", SCRIPT),
     asset!("panel.js", SCRIPT),
     asset!("lanes.js", SCRIPT),
+    asset!("way.js", SCRIPT),
+    asset!("moment.js", SCRIPT),
+    asset!("why.js", SCRIPT),
+    asset!("way.js", SCRIPT),
+    asset!("moment.js", SCRIPT),
+    asset!("why.js", SCRIPT),
     asset!("pixel.js", SCRIPT),
     asset!("frame.js", SCRIPT),
 ];
 
-const BLOCK: &[Asset] =
-    &[("index.html", HTML, include_str!("../page/block.html")), asset!("block.css", CSS), asset!("block.js", SCRIPT)];
+const BLOCK: &[Asset] = &[("index.html", HTML, include_str!("../page/block.html")), asset!("block.js", SCRIPT)];
 
 /// The files of a page, but for what it is about.
 pub(crate) fn files(page: Page) -> impl Iterator<Item = Asset> {

@@ -1,12 +1,7 @@
 //! A frame coming into being, as the page reads it.
 
-use base64::Engine as _;
-use base64::prelude::BASE64_STANDARD;
-use miniz_oxide::deflate::compress_to_vec_zlib;
+use crate::columns::{differences, packed_columns};
 use serde::{Serialize, Serializer};
-
-/// How hard the writes are compressed, 0 to 10: more takes longer than it saves on the loopback.
-const LEVEL: u8 = 4;
 
 /// What a machine did in the time of a frame. All times are clocks from the beginning of the run.
 ///
@@ -176,27 +171,15 @@ impl Picture {
     }
 }
 
-/// Five columns of 32 bits, compressed: clocks and pixels as differences, which are small, then units, depths and colours.
+/// Five columns: clocks and pixels as differences, which are small, then units, depths and colours.
 fn packed<S: Serializer>(writes: &[Write], to: S) -> Result<S::Ok, S::Error> {
-    let differences = |of: fn(&Write) -> u32| {
-        let mut last = 0;
-        let next = move |write: &Write| of(write).wrapping_sub(std::mem::replace(&mut last, of(write)));
-        writes.iter().map(next).collect::<Vec<u32>>()
-    };
     let column = |of: fn(&Write) -> u32| writes.iter().map(of).collect::<Vec<u32>>();
     let columns = [
-        differences(|it| it.clock),
-        differences(|it| it.pixel),
+        differences(&column(|it| it.clock)),
+        differences(&column(|it| it.pixel)),
         column(|it| it.unit),
         column(|it| it.depth),
         column(|it| u32::from_be_bytes([0, it.colour[0], it.colour[1], it.colour[2]])),
     ];
-    // The bytes of one weight are alike, so they stand together.
-    let mut bytes = Vec::with_capacity(20 * writes.len());
-    for column in columns {
-        for weight in 0..4 {
-            bytes.extend(column.iter().map(|value| value.to_le_bytes()[weight]));
-        }
-    }
-    to.serialize_str(&BASE64_STANDARD.encode(compress_to_vec_zlib(&bytes, LEVEL)))
+    to.serialize_str(&packed_columns(&columns))
 }

@@ -1,11 +1,11 @@
 //! The page of a block, played in a browser.
 
-use crate::browser::tab;
-use crate::sample::Served;
+use crate::browser::{Tab, tab};
+use crate::sample::{Served, unit};
 use serde_json::json;
-use tilewright_view::{Answer, Page, Site};
+use tilewright_view::{Answer, Page, Site, export};
 
-/// A block of two nets in two boxes, and five clocks.
+/// A block of two nets in two boxes with five clocks, and an array of two units inside of it.
 struct Pair;
 
 impl Site for Pair {
@@ -18,54 +18,152 @@ impl Site for Pair {
     }
 
     fn data(&self, name: &str, _: &str) -> Answer {
-        let square = |x: u32, net: &str| {
-            format!(r#"<g><title>{net}</title><rect x="{x}" width="90" height="40" fill="gray" stroke="black"/></g>"#)
-        };
-        let svg =
-            |inner: String| format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="200" height="50">{inner}</svg>"#);
-        let data = json!({
-            "diagram": svg(square(5, "sum") + &square(105, "carry")),
-            "wave": svg(String::new()),
-            "times": [0, 10_000, 20_000, 30_000, 40_000],
-            "nets": [
-                { "name": "sum", "width": 8, "source": "src/pair.rs:12", "changes": [[0, "0"], [2, "1f"], [3, "20"]] },
-                { "name": "carry", "width": 1, "source": null, "changes": [[0, "0"], [3, "1"]] },
-            ],
-        });
-        if name == "block" { Answer::Whole(data.to_string().into_bytes()) } else { Answer::Unknown }
+        match name.strip_prefix("unit/").and_then(|number| number.parse().ok()) {
+            Some(number @ 0..3) => Answer::Whole(unit(number).to_string().into_bytes()),
+            Some(_) => Answer::Refused("the unit is not there".to_owned()),
+            None => Answer::Unknown,
+        }
     }
 }
+
+const NOW: &str = "[...document.querySelectorAll('.nets td.now')].map(it => it.textContent)";
+const CHANGED: &str = "[...document.querySelectorAll('g.changed title')].map(it => it.textContent)";
+const NAMES: &str = "[...document.querySelectorAll('.nets tbody th')].map(it => it.textContent)";
+/// The clock under the cursor of the wave.
+const UNDER_CURSOR: &str = "(() => { const box = it => it.getBoundingClientRect(), cursor = box(document.querySelector('.wave .cursor')); \
+return [...document.querySelectorAll('.wave .clock')].find(it => box(it).left >= cursor.left && box(it).left < cursor.right).textContent })()";
+
+const IS_LOADED: &str = "block.data !== null && document.querySelectorAll('.nets tr').length === 4";
 
 #[test]
 fn the_page_steps_through_a_block() {
     let Some(mut tab) = tab() else { return };
     let served = Served::new(Pair);
     tab.open(&served.address, 1280, "light");
-    tab.until("block.data !== null && at('nets').rows.length === 3");
+    tab.until(IS_LOADED);
     assert_eq!((tab.text("h1"), tab.text("#scenario")), ("pair".to_owned(), "The run: two sums.".to_owned()));
-    let now = "[...document.querySelectorAll('#nets td.now')].map(it => it.textContent)";
-    let changed = "[...document.querySelectorAll('g.changed title')].map(it => it.textContent)";
-    assert_eq!((tab.value(now), tab.value(changed)), (json!(["0", "0"]), json!([])));
+    assert_eq!((tab.value(NOW), tab.value(CHANGED)), (json!(["0", "0", "0"]), json!([])));
     tab.press("ArrowRight");
-    tab.click("#step");
-    assert_eq!((tab.value(now), tab.value(changed)), (json!(["1f", "0"]), json!(["sum = 1f"])));
-    assert_eq!(tab.text("#now"), "of 4, 20 ns");
+    tab.click("button.step");
+    assert_eq!((tab.value(NOW), tab.value(CHANGED)), (json!(["1f", "0", "0"]), json!(["sum = 1f"])));
+    assert_eq!(tab.text(".present"), "of 4, 20 ns");
     tab.press("ArrowRight");
-    assert_eq!((tab.value(now), tab.value(changed)), (json!(["20", "1"]), json!(["sum = 20", "carry = 1"])));
+    assert_eq!((tab.value(NOW), tab.value(CHANGED)), (json!(["20", "1", "0"]), json!(["sum = 20", "carry = 1"])));
     tab.press("ArrowLeft");
-    assert_eq!(tab.value(now), json!(["1f", "0"]));
+    assert_eq!(tab.value(NOW), json!(["1f", "0", "0"]));
     tab.press("End");
-    assert_eq!(tab.text("#now"), "of 4, 40 ns");
-    assert!(tab.text("#nets tbody tr").contains("src/pair.rs:12"));
+    assert_eq!(tab.text(".present"), "of 4, 40 ns");
+    assert!(tab.text(".nets tbody tr").contains("src/pair.rs:12"));
 
-    tab.click("#diagram g:nth-of-type(2)");
-    let names = "[...document.querySelectorAll('#nets tbody th')].map(it => it.textContent)";
-    assert_eq!(tab.value(names), json!(["carry"]));
+    tab.click("#circuit g:nth-of-type(2)");
+    assert_eq!(tab.value(NAMES), json!(["carry"]));
     tab.press("Escape");
-    tab.value("at('filter').value = 'SU'; at('filter').dispatchEvent(new Event('input'))");
-    assert_eq!(tab.value(names), json!(["sum"]));
+    tab.value("block.filter.value = 'SU'; block.filter.dispatchEvent(new Event('input'))");
+    assert_eq!(tab.value(NAMES), json!(["sum"]));
+    no_faults(&mut tab);
+}
+
+fn no_faults(tab: &mut Tab) {
     for (width, scheme) in [(1280, "light"), (1280, "dark"), (390, "dark"), (390, "light")] {
         tab.resize(width, scheme);
         assert_eq!(tab.faults(), [""; 0], "{width} {scheme}");
     }
+}
+
+/// The values stand on the diagram, and the cursor of the wave follows the clock, by keys and by clicks.
+#[test]
+fn the_diagram_and_the_wave_show_the_clock() {
+    let Some(mut tab) = tab() else { return };
+    let served = Served::new(Pair);
+    tab.open(&served.address, 1280, "dark");
+    tab.until(IS_LOADED);
+    let written = "[...document.querySelectorAll('.of-net')].map(it => it.textContent)";
+    assert_eq!((tab.value(written), tab.value(UNDER_CURSOR)), (json!(["0", "0"]), json!("0")));
+    tab.press("ArrowRight");
+    tab.press("ArrowRight");
+    tab.press("ArrowRight");
+    assert_eq!((tab.value(written), tab.value(UNDER_CURSOR)), (json!(["20", "1"]), json!("3")));
+    // The wave has the ports; a box of the diagram chooses other nets.
+    let waved = "[...document.querySelectorAll('.wave .name')].map(it => it.firstChild.textContent)";
+    assert_eq!(tab.value(waved), json!(["sum"]));
+    assert_eq!(
+        tab.value("[...document.querySelectorAll('.wave .value')].map(it => it.textContent)"),
+        json!(["0", "1f", "20"])
+    );
+    tab.click("#circuit g:nth-of-type(2)");
+    assert_eq!(tab.value(waved), json!(["carry"]));
+
+    let left = "(document.querySelector('.wave').getBoundingClientRect().width)";
+    let width = tab.value(left).as_f64().unwrap();
+    let first = tab.value("block.wave.left").as_f64().unwrap();
+    let at = |clock: f64| [(first + 46.0 * (clock + 0.5)) / width, 0.7];
+    tab.drag(".wave", at(1.0), at(1.0));
+    assert_eq!((tab.value("block.step"), tab.value(UNDER_CURSOR)), (json!(1), json!("1")));
+    // The wave has the focus now, and is a slider for a screen reader.
+    tab.press("ArrowRight");
+    assert_eq!(tab.value("document.activeElement.getAttribute('aria-valuetext')"), "clock 2; carry 0");
+    // A narrow window has fewer clocks, and the cursor stays in it.
+    tab.resize(390, "dark");
+    tab.press("End");
+    tab.until("document.querySelector('.wave svg').getBoundingClientRect().right <= innerWidth");
+    assert_eq!(tab.value(UNDER_CURSOR), json!("4"));
+}
+
+#[test]
+fn units_inside_are_opened_and_left() {
+    let Some(mut tab) = tab() else { return };
+    let served = Served::new(Pair);
+    tab.open(&served.address, 1280, "light");
+    tab.until(IS_LOADED);
+    assert_eq!(tab.value("document.querySelector('.trail').hidden"), true);
+    tab.press("ArrowRight");
+    tab.press("ArrowRight");
+    tab.click("#circuit g:nth-of-type(3)");
+    tab.until("block.data.name === 'u_half[0]'");
+    assert_eq!((tab.value(NAMES), tab.value(NOW)), (json!(["word"]), json!(["2"])));
+    // It is the same time, and this unit has half as many clocks.
+    assert_eq!(tab.text(".present"), "of 2, 20 ns");
+    assert_eq!(tab.value("block.step"), json!(1));
+    // Another one of the array, by the list.
+    tab.value("document.querySelector('.trail select').value = '2'; document.querySelector('.trail select').dispatchEvent(new Event('change'))");
+    tab.until("block.data.name === 'u_half[1]'");
+    no_faults(&mut tab);
+    tab.click(".trail button");
+    tab.until("block.data.name === 'pair'");
+    assert_eq!(tab.value(NOW), json!(["1f", "0", "0"]));
+    // By keys alone: the box is a button.
+    tab.value("document.querySelector('#circuit g:nth-of-type(3)').focus()");
+    tab.press("Enter");
+    tab.until("block.data.name === 'u_half[0]'");
+    tab.value("document.activeElement.blur()");
+    tab.press("Backspace");
+    tab.until("block.data.name === 'pair'");
+    let label = "document.querySelector('#circuit g:nth-of-type(3)').getAttribute('aria-label')";
+    assert_eq!(tab.value(label), "Open u_half");
+}
+
+/// A unit whose data are not beside the page is told in a sentence, and the page goes on.
+#[test]
+fn an_exported_block_opens_its_units() {
+    let Some(mut tab) = tab() else { return };
+    let data = [0, 1].map(|number| (format!("unit/{number}"), unit(number).to_string().into_bytes()));
+    let folder = tempfile::tempdir().unwrap();
+    for file in export::files(Page::Block, &Pair.about(), data) {
+        let path = folder.path().join(file.name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, file.bytes).unwrap();
+    }
+    tab.open(&format!("file://{}", folder.path().join("index.html").display()), 390, "light");
+    tab.until(IS_LOADED);
+    tab.click("#circuit g:nth-of-type(3)");
+    tab.until("block.data.name === 'u_half[0]'");
+    assert_eq!(tab.faults(), [""; 0]);
+    tab.value("block.open(2)");
+    tab.until("document.querySelector('.circuit [role=alert]')?.textContent.length > 0");
+    assert_eq!(tab.text(".circuit [role=alert]"), "data/unit/2.js is missing beside this page");
+    tab.complaints.clear();
+    tab.press("Backspace");
+    tab.until("block.data.name === 'pair'");
+    assert_eq!(tab.value("document.querySelector('.circuit [role=alert]').textContent"), "");
+    assert_eq!(tab.faults(), [""; 0]);
 }

@@ -18,7 +18,7 @@ const IS_LOADED: &str = "view.panels.length > 0 && view.panels.every(({ film }) 
 #[test]
 fn the_page_plays_a_frame() {
     let Some(mut tab) = tab() else { return };
-    let served = Served::new(Columns);
+    let served = Served::new(Columns::default());
     tab.open(&served.address, 1280, "light");
     tab.until(IS_LOADED);
     assert_eq!(tab.text("h1"), "columns, 32x24");
@@ -78,19 +78,18 @@ fn the_time_is_stepped(tab: &mut Tab) {
 fn a_pixel_is_told(tab: &mut Tab) {
     tab.drag(".stage", [3.5 / 32.0, 0.5 / 24.0], [3.5 / 32.0, 0.5 / 24.0]);
     assert_eq!(tab.text("#pixel-title"), "The pixel in column 3, row 0");
-    let told =
-        "[...document.querySelectorAll('#known tbody tr')].map(row => row.innerText.split('\\t').map(it => it.trim()))";
+    let told = "[...document.querySelectorAll('#known .written tbody tr')].map(row => row.innerText.split('\\t').map(it => it.trim()))";
     let rows = json!([["13", "325 ns", "PE 1", "1,003", "#185a3c"], ["1,003", "25.075 µs", "PE 1", "5", "#185afa"],]);
     assert_eq!(tab.value(told), rows);
     assert_eq!(tab.value("document.querySelector('#known tr[aria-current]').rowIndex"), 2);
-    tab.click("#known tbody button");
+    tab.click("#known .written tbody button");
     assert_eq!(tab.text("#now"), "clock 13 of 1,200, 325 ns");
     assert_eq!(tab.value("document.querySelector('#known tr[aria-current]').rowIndex"), 1);
     // By its place, as somebody without a mouse does it.
     tab.value("at('x').value = 31; at('y').value = 23");
     tab.click("#place button");
     assert_eq!(tab.text("#pixel-title"), "The pixel in column 31, row 23");
-    assert_eq!(tab.value("document.querySelectorAll('#known tbody tr').length"), 1);
+    assert_eq!(tab.value("document.querySelectorAll('#known .written tbody tr').length"), 1);
     tab.value("document.activeElement.blur()");
     tab.press("Escape");
     assert_eq!(tab.text("#pixel-title"), "A pixel");
@@ -106,7 +105,7 @@ fn colours_and_overlays_change(tab: &mut Tab) {
     let [red, _, blue] = colour(tab, 3, 0)[..] else { panic!("three parts") };
     assert!(red < blue, "PE 1 is blue");
     tab.press("g");
-    assert_eq!(tab.value("[at('grid').value, document.querySelector('.grid').hidden]"), json!(["on", false]));
+    assert_eq!(tab.value("[at('grid').value, document.querySelector('.grid').hidden]"), json!(["grid", false]));
     tab.press("n");
     tab.press("Home");
     tab.press("ArrowRight");
@@ -119,7 +118,7 @@ fn colours_and_overlays_change(tab: &mut Tab) {
 #[test]
 fn machines_stand_side_by_side() {
     let Some(mut tab) = tab() else { return };
-    let served = Served::new(Columns);
+    let served = Served::new(Columns::default());
     tab.open(&served.address, 1280, "dark");
     tab.until(IS_LOADED);
     tab.press("2");
@@ -141,7 +140,7 @@ fn machines_stand_side_by_side() {
     tab.value("at('pace').value = 'own'; at('pace').dispatchEvent(new Event('change'))");
     assert_eq!(tab.text("#now"), "one: clock 480 of 1,200, 12.000 µs · two: clock 480 of 1,200, 4.800 µs");
     tab.drag(".stage", [0.5; 2], [0.5; 2]);
-    assert_eq!(tab.value("document.querySelectorAll('#known table').length"), 2);
+    assert_eq!(tab.value("document.querySelectorAll('#known .written table').length"), 2);
     for (width, scheme) in [(1280, "dark"), (390, "dark"), (390, "light")] {
         tab.resize(width, scheme);
         assert_eq!(tab.faults(), [""; 0], "{width} {scheme}");
@@ -152,7 +151,7 @@ fn machines_stand_side_by_side() {
 #[test]
 fn the_camera_turns_with_the_mouse() {
     let Some(mut tab) = tab() else { return };
-    let served = Served::new(Columns);
+    let served = Served::new(Columns::default());
     tab.open(&served.address, 1280, "light");
     tab.until(IS_LOADED);
     assert_eq!(colour(&mut tab, 31, 23), [248, 90, 60]);
@@ -170,7 +169,7 @@ fn the_camera_turns_with_the_mouse() {
 #[test]
 fn a_page_says_that_its_server_has_gone() {
     let Some(mut tab) = tab() else { return };
-    let served = Served::new(Columns);
+    let served = Served::new(Columns::default());
     tab.open(&served.address, 390, "light");
     tab.until(IS_LOADED);
     drop(served);
@@ -182,7 +181,7 @@ fn a_page_says_that_its_server_has_gone() {
 /// The files are those of the page on the server, and need none.
 #[test]
 fn an_exported_page_opens_without_a_server() {
-    let about = Columns.about().replace("\"orbits\": true", "\"orbits\": false");
+    let about = Columns::default().about().replace("\"orbits\": true", "\"orbits\": false");
     let made = || {
         let data = ["one", "two"].map(|name| (format!("frame/{name}"), picture(name, 0).json()));
         export::files(Page::Frame, &about, data)

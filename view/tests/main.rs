@@ -6,3 +6,4 @@ mod browser;
 mod frame_page;
 mod refusals;
 mod sample;
+mod why_page;

@@ -17,7 +17,7 @@ fn ask(host: &str, request: &str) -> (u16, String) {
 
 #[test]
 fn the_own_page_is_answered_and_nobody_else() {
-    let served = Served::new(Columns);
+    let served = Served::new(Columns::default());
     let (host, path) = served.parts();
     let port = host.split(':').nth(1).unwrap();
     let of = |method: &str, path: &str, host_name: &str, more: &str| {
@@ -46,7 +46,7 @@ fn the_own_page_is_answered_and_nobody_else() {
 
 #[test]
 fn an_answer_is_for_its_page_alone() {
-    let served = Served::new(Columns);
+    let served = Served::new(Columns::default());
     let (host, path) = served.parts();
     let (_, text) = ask(host, &format!("GET {path} HTTP/1.1\nHost: {host}\nConnection: close\n\n"));
     for header in [
@@ -65,7 +65,7 @@ fn an_answer_is_for_its_page_alone() {
 
 #[test]
 fn two_servers_have_ports_and_tokens_of_their_own() {
-    let [one, other] = [Served::new(Columns), Served::new(Columns)];
+    let [one, other] = [Served::new(Columns::default()), Served::new(Columns::default())];
     assert_ne!(one.parts().0, other.parts().0);
     assert_ne!(one.parts().1, other.parts().1);
     let port = one.parts().0.split(':').nth(1).unwrap().parse().unwrap();
@@ -75,7 +75,7 @@ fn two_servers_have_ports_and_tokens_of_their_own() {
 
 #[test]
 fn a_server_that_ended_answers_nobody() {
-    let served = Served::new(Columns);
+    let served = Served::new(Columns::default());
     let host = served.parts().0.to_owned();
     assert!(TcpStream::connect(&host).is_ok());
     drop(served);

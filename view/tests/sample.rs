@@ -1,10 +1,11 @@
 //! A small frame on two machines.
 
-use std::sync::Arc;
+use serde_json::{Value, json};
+use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
-use tilewright_view::{Answer, Clock, Grid, Kind, Lane, Page, Part, Picture, Server, Site, Unit, Write};
+use tilewright_view::{Answer, Area, Areas, Clock, Grid, Kind, Lane, Page, Part, Picture, Server, Site, Unit, Write};
 
 /// Columns and rows of the frame.
 pub const SIZE: [u32; 2] = [32, 24];
@@ -44,8 +45,113 @@ pub fn picture(machine: &str, turn: i32) -> Picture {
     }
 }
 
+/// Two patches that have a page until the end, and one until clock 500.
+pub fn areas() -> Areas {
+    let area = |from, to, unit, place| Area { from, to, unit, level: 0, place, size: [8, 8] };
+    let list = vec![area(10, u32::MAX, 0, [0, 0]), area(11, 500, 1, [8, 0]), area(600, u32::MAX, 1, [24, 16])];
+    Areas { name: "pages".to_owned(), levels: 0, list }
+}
+
+/// The data of a unit: a pair, which has two nets in two boxes and an array of two halves, or one of the halves.
+pub fn unit(number: usize) -> Value {
+    let square = |x: u32, net: &str| {
+        format!(
+            r#"<g><title>{net}</title><rect class="box" x="{x}" width="60" height="40" fill="gray" stroke="black"/><text class="name" x="{x}" y="20">{net}</text></g>"#
+        )
+    };
+    let svg =
+        |inner: String| format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="330" height="50">{inner}</svg>"#);
+    let diagram = match number {
+        0 => svg(square(5, "sum") + &square(105, "carry") + &square(205, "u_half")),
+        _ => svg(square(5, "word")),
+    };
+    let link = |number: usize, name: &str| json!({ "number": number, "name": name });
+    let halves = json!([link(1, "u_half[0]"), link(2, "u_half[1]")]);
+    let mut data = json!({
+        "name": "pair", "about": "Adds. (src/pair.rs:3)", "diagram": diagram, "narrow": diagram, "first": 0, "step": null,
+        "times": [0, 10_000, 20_000, 30_000, 40_000],
+        "nets": [
+            { "name": "sum", "width": 8, "port": true, "asked": false, "source": "src/pair.rs:12", "changes": [[0, "0"], [2, "1f"], [3, "20"]] },
+            { "name": "carry", "width": 1, "port": false, "asked": false, "source": null, "changes": [[0, "0"], [3, "1"]] },
+            { "name": "late", "width": 1, "port": false, "asked": false, "source": null, "changes": [[0, "0"]] },
+        ],
+        "units": halves, "outer": [], "siblings": [],
+    });
+    if number > 0 {
+        data["name"] = format!("u_half[{}]", number - 1).into();
+        data["times"] = json!([0, 20_000, 40_000]);
+        data["nets"] = json!([{ "name": "word", "width": 4, "port": true, "asked": false, "source": "src/half.rs:2", "changes": [[0, "1"], [1, "2"]] }]);
+        data["units"] = json!([]);
+        data["outer"] = json!([link(0, "pair")]);
+        data["siblings"] = halves;
+    }
+    data
+}
+
+/// The way of a pixel, whose second step is the first that differs.
+pub fn way(pixel: [u32; 2]) -> Value {
+    let step = |unit: &str, does: &str, picoseconds: u64, values: Value, differs: bool| {
+        json!({
+            "primitive": 4, "unit": unit, "block": "pair", "does": does, "clock": "pe", "cycle": picoseconds / 25_000,
+            "picoseconds": picoseconds, "net": "u_pair.sum", "values": values, "differs": differs,
+        })
+    };
+    let value = |what: &str, hardware: &str, model: Option<&str>| json!({ "what": what, "hardware": hardware, "model": model, "differs": model.is_some_and(|it| it != hardware) });
+    json!({
+        "pixel": pixel, "shown": "000005185afa", "golden": "000005185afa", "identical": true, "failed": null,
+        "primitives": [
+            { "number": 4, "name": "triangle 4", "golden": "000005185afa", "hardware": "000005185afa", "visible": true },
+            { "number": 7, "name": "triangle 7", "golden": "000009000000", "hardware": null, "visible": false },
+        ],
+        "steps": [
+            step("PE 1", "draws the pixel", 325_000, json!([value("word", "000005185afa", Some("000005185afa"))]), false),
+            step("merging unit 0", "passes the nearer pixel", 25_075_000, json!([value("left", "5", None), value("nearer", "9", Some("5"))]), true),
+            step("frame buffer", "stores the pixel", 25_100_000, json!([value("word", "9", Some("5"))]), true),
+        ],
+        "first_difference": { "step": 1, "block": "pair", "source": "rtl/src/pair.rs" },
+    })
+}
+
 /// The frame as a site. The machine `broken` cannot draw it.
-pub struct Columns;
+///
+/// It tells the way of a pixel when it has been asked twice. That of column 30 never comes, and that of column 29 is refused.
+#[derive(Default)]
+pub struct Columns {
+    /// All questions, each as its name and its query.
+    pub asked: Arc<Mutex<Vec<String>>>,
+}
+
+impl Columns {
+    fn way(&self, question: &str, pixel: [u32; 2]) -> Answer {
+        let count = self.asked.lock().unwrap().iter().filter(|it| *it == question).count();
+        match pixel[0] {
+            29 => Answer::Refused("the run was interrupted".to_owned()),
+            30 => Answer::Working { what: "drawing".to_owned(), done: Some(0.5) },
+            _ if count < 2 => Answer::Working { what: "building".to_owned(), done: None },
+            _ => Answer::Whole(way(pixel).to_string().into_bytes()),
+        }
+    }
+
+    /// The block of a step: the first one has a wave around clock 1003, and the second is told alone.
+    fn moment(step: u32, number: usize) -> Answer {
+        let mut unit = unit(number);
+        let value = match step {
+            1 => {
+                unit["nets"][0]["asked"] = true.into();
+                (unit["first"], unit["step"]) = (1000.into(), 3.into());
+                json!({ "note": null, "path": "u_pair", "unit": unit })
+            }
+            0 => {
+                (unit["times"], unit["units"], unit["first"], unit["step"]) =
+                    (json!([325_000]), json!([]), 13.into(), 0.into());
+                unit["nets"] = json!([{ "name": "sum", "width": 8, "port": true, "asked": true, "source": "src/pair.rs:12", "changes": [[0, "5"]] }]);
+                json!({ "note": "each unit is simulated separately, so there is no wave", "unit": unit })
+            }
+            _ => return Answer::Refused("there is no such unit".to_owned()),
+        };
+        Answer::Whole(value.to_string().into_bytes())
+    }
+}
 
 impl Site for Columns {
     fn page(&self) -> Page {
@@ -53,7 +159,10 @@ impl Site for Columns {
     }
 
     fn about(&self) -> String {
-        let machine = |name: &str| format!(r#"{{"name": "{name}", "summary": "Machine {name}"}}"#);
+        let machine = |name: &str| {
+            let areas = if name == "one" { r#""pages""# } else { "null" };
+            format!(r#"{{"name": "{name}", "summary": "Machine {name}", "areas": {areas}}}"#)
+        };
         let machines = ["one", "two", "broken"].map(machine).join(", ");
         format!(
             r#"{{"title": "columns, 32x24", "summary": "All", "machines": [{machines}], "first": "one", "orbits": true}}"#
@@ -61,10 +170,22 @@ impl Site for Columns {
     }
 
     fn data(&self, name: &str, query: &str) -> Answer {
-        let turn = query.strip_prefix("turn=").and_then(|turn| turn.parse().ok()).unwrap_or(0);
-        match name.strip_prefix("frame/") {
-            Some("broken") => Answer::Refused("there are spheres".to_owned()),
-            Some(machine @ ("one" | "two")) => Answer::Whole(picture(machine, turn).json()),
+        let question = format!("{name}?{query}");
+        self.asked.lock().unwrap().push(question.clone());
+        let number = |name: &str| {
+            query.split('&').find_map(|part| part.strip_prefix(name)?.strip_prefix('=')?.parse::<i32>().ok())
+        };
+        let turn = number("turn").unwrap_or(0);
+        let pixel = ["x", "y"].map(|name| number(name).unwrap_or(0) as u32);
+        match name.split_once('/') {
+            _ if query.ends_with("&stop") => Answer::Whole(b"null".to_vec()),
+            Some(("frame", "broken")) => Answer::Refused("there are spheres".to_owned()),
+            Some(("frame", machine @ ("one" | "two"))) => Answer::Whole(picture(machine, turn).json()),
+            Some(("areas", "one")) => Answer::Whole(areas().json()),
+            Some(("way", "one" | "two")) => self.way(&question, pixel),
+            Some(("moment", _)) => {
+                Columns::moment(number("step").unwrap_or(0) as u32, number("unit").unwrap_or(0) as usize)
+            }
             _ => Answer::Unknown,
         }
     }
