@@ -1,7 +1,7 @@
 //! A circuit and a waveform of it: its units, each with its diagram and the values of its nets.
 
 use super::nets::{Net, scope, scopes, values};
-use crate::shell::Failure;
+use crate::shell::{Exit, Failure};
 use serde::Serialize;
 use std::fs::File;
 use std::io::{self, Read, Seek};
@@ -134,8 +134,13 @@ pub fn about(module: &Module) -> String {
 /// # Errors
 /// It cannot be drawn.
 pub fn drawn(design: &Design, module: usize) -> Result<Diagram, Failure> {
-    let modules = design.modules()[..=module].to_vec();
-    let part = Design::new(modules).expect("a module of a design is one with those before it");
+    let mut modules = design.modules()[..=module].to_vec();
+    // Inside of a design a clock has the period of the clock that drives it. A diagram shows none.
+    let any = design.top().clocks.iter().find_map(|clock| clock.period);
+    for clock in modules.iter_mut().next_back().into_iter().flat_map(|top| &mut top.clocks) {
+        clock.period = clock.period.or(any);
+    }
+    let part = Design::new(modules).map_err(|problems| Failure::new(Exit::Crash, problems.to_string()))?;
     Ok(diagram(&part, &DiagramOptions::default())?)
 }
 
