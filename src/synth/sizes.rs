@@ -18,11 +18,17 @@ pub fn sizes(block: &str) -> &'static [Size] {
         "image-memory" => &[&[("pages", 1024)]],
         "scan-counter" | "crt-read-out" => &[&[("width", 640), ("height", 480)]],
         "image-merger" => &[&[("units", 16)]],
-        "gfb-unit" | "accumulating-gfb-unit" => &[&[("width", 160), ("height", 120), ("units", 16)]],
+        "gfb-unit" => &[&[("width", 160), ("height", 120), ("units", 16)]],
+        "accumulating-gfb-unit" => {
+            &[&[("width", 160), ("height", 120), ("units", 16)], &[("width", 96), ("height", 72), ("units", 16)]]
+        }
         "gfb-sequencer" => &[&[("width", 640), ("height", 480), ("units", 16)]],
         "accumulation" => &[&[("width", 160), ("height", 120)]],
         "quadtree-set-up" | "quadtree-stack" | "quadtree-pipe" | "coverage-test" | "quadtree-pixel"
         | "video-controller" => &[&[("width", 640), ("height", 480), ("columns", 4), ("rows", 4)]],
+        "raster-processor" | "video-processor" => {
+            &[&[("width", 640), ("height", 480), ("columns", 4), ("rows", 4), ("stack", 8)]]
+        }
         "video-buffer" => &[
             &[("width", 640), ("height", 480), ("columns", 4), ("rows", 4)],
             &[("width", 160), ("height", 120), ("columns", 4), ("rows", 4)],
