@@ -3,6 +3,7 @@
 mod areas;
 mod error;
 mod history;
+mod looks;
 mod mean;
 pub mod pixel_planes;
 pub mod pixelflow;

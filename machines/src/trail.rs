@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use tilewright_sim::{Bundle, Error, Nets, Simulation};
+use tilewright_sim::Error;
 
 use crate::way::{Compared, Step};
 
@@ -130,44 +130,6 @@ impl Checks {
 /// A value beside the model's.
 pub(crate) fn compared<T: Display>(what: &'static str, hardware: T, golden: Option<T>) -> Compared {
     Compared { what, hardware: hardware.to_string(), golden: golden.map(|golden| golden.to_string()) }
-}
-
-/// Nets of a simulation, which are read together.
-#[derive(Debug, Default)]
-pub(crate) struct Looks {
-    paths: Vec<String>,
-    nets: Option<Nets>,
-    values: Vec<u64>,
-}
-
-impl Looks {
-    /// Adds nets whose paths have that beginning, before the first look. Returns the place of the first.
-    pub fn add<'a>(&mut self, path: &str, names: impl IntoIterator<Item = &'a str>) -> usize {
-        let first = self.paths.len();
-        self.paths.extend(names.into_iter().map(|name| format!("{path}{name}")));
-        first
-    }
-
-    /// Reads the settled values of all.
-    pub fn look<I: Bundle, O: Bundle>(&mut self, sim: &mut Simulation<I, O>) {
-        if self.nets.is_none() {
-            self.nets = Some(sim.nets(&self.paths).expect("the units have these nets"));
-            self.values.resize(self.paths.len(), 0);
-        }
-        if let Some(nets) = &self.nets {
-            sim.numbers(nets, &mut self.values);
-        }
-    }
-
-    /// The value of the net at that place.
-    pub fn at(&self, place: usize) -> u64 {
-        self.values[place]
-    }
-
-    /// The values from a place on.
-    pub fn from<const N: usize>(&self, first: usize) -> [u64; N] {
-        std::array::from_fn(|place| self.values[first + place])
-    }
 }
 
 /// The instance and the sentence of the first assertion or assumption that an error is about.

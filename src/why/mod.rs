@@ -1,6 +1,7 @@
 //! `tilewright why`: the cause of a value in a block's scenario, or the way of a pixel through a machine.
 
 mod block;
+mod hint;
 mod scene;
 pub mod text;
 
@@ -27,8 +28,9 @@ A block, with --signal: a line is a cause of the line above it that stands furth
 condition or an enable does. It has the value, the cycle since when, and the source line. A choice counts its condition and its chosen side alone, an AND
 that is 0 its zeros. The name is that of a waveform, such as `u_cell[3].sum`, or `squares[5]` for a word of a memory. Nothing has to be recorded before.
 
-A scene, with --pixel: the primitives that cover the pixel, and what each unit of the machine did with them, by time. A value stands beside that of a plain
-model with the same inputs where the two differ. `>` marks the first step that differs and `!` later ones, and the last line names its block and that block's source file.
+A scene, with --pixel: whether the pixel is right, and the first step that differs, with its block and that block's source file. `next` is a command that asks
+on, in the block's scenario. Then come the primitives that cover the pixel, and what each unit of the machine did with them, by time. A value stands beside that of a
+plain model with the same inputs where the two differ. `>` marks the first step that differs, and `.` later ones, which may follow from it.
 The machine draws the frame as `render` does, and observes the pixel meanwhile. --pixel counts from the upper left corner, from 0 on.
 With -o a second run writes the waveform of the unit in 40 clocks around the first difference, or around the last step of the visible primitive if nothing differs.
 

@@ -1,5 +1,6 @@
 //! The way of a pixel, as text and as JSON.
 
+use super::hint;
 use crate::block::entries;
 use crate::shell::{Exit, Failure};
 use serde_json::{Value, json};
@@ -40,7 +41,7 @@ impl Told<'_> {
     }
 }
 
-/// The pixel, the primitives, the steps, and the first difference.
+/// The pixel, the first difference, the primitives, and the steps.
 pub fn text(told: &Told) -> String {
     let Told { scene, machine, size, pixel: [x, y], shown, golden, way } = told;
     let verdict = match shown {
@@ -49,6 +50,7 @@ pub fn text(told: &Told) -> String {
         Some(_) => "NOT as in the golden image",
     };
     let mut text = format!("pixel {x},{y} of {scene} on {machine}, {size} pixels: {verdict}\n");
+    text += &difference(way);
     if let Some(shown) = shown {
         let _ = writeln!(text, "shown   {}", pixel(*shown));
     }
@@ -63,7 +65,6 @@ pub fn text(told: &Told) -> String {
     way.primitives.iter().for_each(|it| text += &format!("  {}\n", primitive(it)));
     text += "\n";
     text += &steps(way);
-    text += &closing(way);
     text
 }
 
@@ -94,7 +95,7 @@ fn steps(way: &Way) -> String {
     for step in &way.steps {
         let mark = match first {
             Some(first) if std::ptr::eq(first, step) => ">",
-            _ if step.differs() => "!",
+            _ if step.differs() => ".",
             _ => " ",
         };
         let values: Vec<String> = step.values.iter().map(value).collect();
@@ -120,17 +121,18 @@ fn value(it: &tilewright_machines::Compared) -> String {
     }
 }
 
-/// The sentence on the first difference.
-fn closing(way: &Way) -> String {
+/// The sentence on the first difference, and the command that asks on.
+fn difference(way: &Way) -> String {
     let Some(step) = way.first_difference() else {
-        return "\nno step differs from its model\n".to_owned();
+        return "no step differs from its model\n".to_owned();
     };
     let source = source(step.block).map(|file| format!(" ({file})")).unwrap_or_default();
     let differs = step.values.iter().find(|value| value.differs());
     let values = differs.map_or_else(String::new, |it| {
         format!(": {} is {}, and the model has {}", it.what, it.hardware, it.golden.as_deref().unwrap_or_default())
     });
-    format!("\nthe first difference is in {}{source}: {} {}{values}\n", step.block, step.unit, step.does)
+    let next = hint::command(step).map_or_else(String::new, |command| format!("next: {command}\n"));
+    format!("the first difference is in {}{source}: {} {}{values}\n{next}", step.block, step.unit, step.does)
 }
 
 /// The file that describes a block of the catalogue with its usual parameters.
@@ -165,8 +167,8 @@ pub fn json(told: &Told, commands: &[String]) -> Value {
     };
     let first = way.first_difference().and_then(|first| way.steps.iter().position(|it| std::ptr::eq(it, first)));
     let difference = first.map(|number| {
-        let block = way.steps[number].block;
-        json!({ "step": number, "block": block, "source": source(block) })
+        let step = &way.steps[number];
+        json!({ "step": number, "block": step.block, "source": source(step.block), "next": hint::command(step) })
     });
     json!({
         "format": 1,
@@ -200,7 +202,7 @@ mod tests {
             clock: "merge".to_owned(),
             cycle: time / 80_000,
             time,
-            net: Some(format!("u_{block}.word")),
+            net: Some(format!("u_{block}.nearer")),
             values: vec![Compared { what: "word", hardware: hardware.to_owned(), golden: Some(golden.to_owned()) }],
         };
         let steps = vec![
@@ -230,10 +232,11 @@ mod tests {
         assert_eq!(lines[0], "pixel 3,2 of star on vc1, 16x12 pixels: NOT as in the golden image");
         assert!(lines.contains(&"  triangle 4: 000000000005, visible"), "{text}");
         let marks: Vec<&str> = lines.iter().filter(|line| line.contains(" us ")).map(|line| &line[..2]).collect();
-        assert_eq!(marks, ["  ", "> ", "! "], "{text}");
-        let last = "the first difference is in merging-unit (rtl/src/merger/unit.rs): unit of merging-unit passes a pixel: \
-                    word is 9, and the model has 5";
-        assert_eq!(lines.last(), Some(&last));
+        assert_eq!(marks, ["  ", "> ", ". "], "{text}");
+        let sentence = "the first difference is in merging-unit (rtl/src/merger/unit.rs): unit of merging-unit passes a pixel: \
+                        word is 9, and the model has 5";
+        assert_eq!(lines[1], sentence);
+        assert!(lines[2].starts_with("next: tilewright why merging-unit --signal nearer --at "), "{text}");
         let json = json(&told(&wrong(), Some(9)), &[]);
         assert_eq!((&json["identical"], &json["first_difference"]["step"]), (&false.into(), &1.into()));
         assert_eq!(json["first_difference"]["source"], "rtl/src/merger/unit.rs");

@@ -25,7 +25,7 @@ use tilewright_hdl::Bits;
 
 pub use choice::EngineKind;
 pub(crate) use choice::Started;
-pub(crate) use compiled::Slot;
+pub(crate) use compiled::{Limb, Limbs, Slot};
 pub use cranelift::Unsupported;
 pub use explain::{Explained, Pass, explain};
 pub use passes::Passes;
@@ -233,6 +233,11 @@ pub(crate) trait Engine: Send {
 
     /// Prepares for reading these values together.
     fn watch(&mut self, _values: &[ValueId]) {}
+
+    /// Reads limbs together, which are the same in many calls. Returns `false` and does nothing if they are better read one by one.
+    fn glance(&mut self, _limbs: &Limbs, _numbers: &mut [u64]) -> bool {
+        false
+    }
 
     /// Prepares for collecting these values before each of many edges, in rows. Returns the index for
     /// [`Engine::edges_in_rows`], or `None` if the engine cannot do so for them.

@@ -2,8 +2,7 @@
 
 use tilewright_hdl::{Bits, Bundle};
 
-use crate::engine::lane;
-use crate::engine::program::ValueId;
+use crate::engine::{Limb, Limbs};
 use crate::testbench::error::UnknownName;
 use crate::testbench::lookup::{self, Found};
 use crate::testbench::simulation::Simulation;
@@ -20,7 +19,37 @@ use crate::testbench::simulation::Simulation;
 /// # Ok::<(), tilewright_sim::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]
-pub struct Nets(Vec<(ValueId, u32)>);
+pub struct Nets(Limbs);
+
+impl Nets {
+    /// The numbers that they take together.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// assert_eq!(sim.nets(["count", "late"])?.count(), 2);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// The bits of one of these numbers.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// assert_eq!(sim.nets(["enable", "count"])?.width(1), 8);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are fewer numbers.
+    pub fn width(&self, number: usize) -> u32 {
+        self.0[number].width
+    }
+}
 
 /// A memory of a circuit, for [`Simulation::word`].
 ///
@@ -59,17 +88,20 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// There is no such name; the error suggests the nearest one.
     pub fn nets(&mut self, paths: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Nets, UnknownName> {
-        let hierarchy = &self.circuit.program.hierarchy;
-        let net = |path: &str| {
-            let Found { signal, lane } = lookup::signal(hierarchy, path, 0)?;
-            Ok((signal.value, lane))
-        };
-        let nets: Vec<_> = paths.into_iter().map(|path| net(path.as_ref())).collect::<Result<_, UnknownName>>()?;
-        self.circuit.engine.watch(&nets.iter().map(|(value, _)| *value).collect::<Vec<_>>());
-        Ok(Nets(nets))
+        let program = &self.circuit.program;
+        let mut limbs = Vec::new();
+        for path in paths {
+            let Found { signal, lane } = lookup::signal(&program.hierarchy, path.as_ref(), 0)?;
+            let value = signal.value;
+            let bits = program.value(value).width;
+            let limb = |number: u32| Limb { value, lane, number, width: (bits - 64 * number).min(64) };
+            limbs.extend((0..bits.div_ceil(64)).map(limb));
+        }
+        Ok(Nets(limbs.into()))
     }
 
-    /// The settled values of these nets, in the sequence of their names.
+    /// The settled values of these nets, in the sequence of their names. One of more than 64 bits takes as many numbers as it needs, the lowest bits
+    /// first.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -85,16 +117,17 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// There are more nets than numbers, or one is wider than 64 bits.
+    /// There are fewer numbers than the nets take.
     pub fn numbers(&mut self, nets: &Nets, numbers: &mut [u64]) {
-        let circuit = &mut self.circuit;
-        assert!(nets.0.len() <= numbers.len(), "{} nets, and room for {} numbers", nets.0.len(), numbers.len());
-        for (number, (value, at)) in numbers.iter_mut().zip(&nets.0) {
-            *number = match circuit.program.value(*value).width {
-                0..=64 => circuit.engine.number(*value, *at),
-                _ => lane(&circuit.program, &mut *circuit.engine, *value, *at)
-                    .to_u64()
-                    .expect("a net of 64 bits or less"),
+        let (circuit, count) = (&mut self.circuit, nets.count());
+        assert!(count <= numbers.len(), "nets of {count} numbers, and room for {}", numbers.len());
+        if circuit.engine.glance(&nets.0, numbers) {
+            return;
+        }
+        for (number, limb) in numbers.iter_mut().zip(nets.0.iter()) {
+            *number = match circuit.program.value(limb.value).width {
+                0..=64 => circuit.engine.number(limb.value, limb.lane),
+                _ => circuit.lane(limb.value, limb.lane).limbs()[limb.number as usize],
             };
         }
     }

@@ -10,6 +10,7 @@ mod engine;
 mod engines;
 mod every_engine;
 mod fields;
+mod glancing;
 mod idle;
 mod in_bounds;
 mod instants;

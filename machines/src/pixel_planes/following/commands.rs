@@ -54,7 +54,7 @@ pub(super) struct Taken {
     pub instruction: Instruction<u64>,
     pub times: Times,
     /// The coefficients of the curve before it.
-    curve: [u64; 3],
+    pub curve: [u64; 3],
 }
 
 impl Taken {

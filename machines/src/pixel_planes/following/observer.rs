@@ -14,7 +14,8 @@ use tilewright_sim::{Memory, Simulation};
 use super::commands::{CURVE, Commands, NETS, SAVES, Taken};
 use super::units::{CONTROL, Expressions, Pixel, Store, Stored, TICK};
 use super::wires::Wires;
-use crate::trail::{Checks, Looks, Unit, compared};
+use crate::looks::Looks;
+use crate::trail::{Checks, Unit, compared};
 use crate::way::Step;
 
 /// Clocks at the beginning in which all wires are looked at.

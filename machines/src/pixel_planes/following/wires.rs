@@ -3,7 +3,8 @@
 use tilewright_rtl::pixel_planes::instruction::Instruction;
 
 use super::observer::Sim;
-use crate::trail::{Checks, Looks};
+use crate::looks::Looks;
+use crate::trail::Checks;
 
 /// Pairs of nets of a renderer that have the same values in each clock.
 pub(super) struct Wires {

@@ -12,8 +12,9 @@ use tilewright_rtl::pixelflow::pixel::{Control, Mask};
 use tilewright_sim::Memory;
 
 use super::commands::{Commands, FIELDS, Taken, control_of, instruction};
+use crate::looks::Looks;
 use crate::pixelflow::hardware::ArraySimulation as Sim;
-use crate::trail::{Checks, Looks, Trail, Unit};
+use crate::trail::{Checks, Trail, Unit};
 use crate::way::Step;
 
 /// The place of a pixel in an array: the chip and its number there, and the column and the line.
@@ -32,7 +33,9 @@ struct Registers {
     memory: Option<Memory>,
     /// The addresses that were written, or could have been.
     written: [usize; 2],
+    /// The place of its nets among those of all units, and of those of banks alone.
     nets: usize,
+    port: usize,
 }
 
 /// A node of the pixel.
@@ -54,6 +57,8 @@ pub(in crate::pixelflow) struct ArrayObserver {
     memory: Option<Memory>,
     written: usize,
     looks: Looks,
+    /// The nets that matter in ticks of the network alone: those of banks.
+    ports: Looks,
     places: [usize; 6],
     pairs: Vec<(&'static str, [usize; 2])>,
     /// The instructions that are of the pixel's region, and are told: the number of their primitive, if they are one's.
@@ -69,7 +74,12 @@ impl ArrayObserver {
 
     /// Looks at all units before the edge that ends a tick; every second one is an edge of the array.
     pub fn look(&mut self, sim: &mut Sim, tick: u64, is_array_edge: bool) {
-        self.looks.look(sim);
+        if is_array_edge || self.pixel.is_none() {
+            self.looks.look(sim);
+        }
+        if !is_array_edge {
+            self.ports.look(sim);
+        }
         self.init(sim);
         let clock = tick / 2;
         let mut checks = Checks::default();
@@ -201,11 +211,11 @@ impl ArrayObserver {
     }
 
     fn look_at_registers(&mut self, sim: &mut Sim, tick: u64, is_array_edge: bool) {
-        let control_read = self.looks.at(self.places[1] + 11);
+        let control_read = if is_array_edge { self.looks.at(self.places[1] + 11) } else { 0 };
         for (number, bank) in self.banks.iter_mut().enumerate() {
             let mut checks = Checks::default();
             let [read, write, pixel, address, port_writes, writes, result, word, bytes, seen] =
-                self.looks.from(bank.nets);
+                if is_array_edge { self.looks.from(bank.nets) } else { self.ports.from(bank.port) };
             if let Some(memory) = bank.memory {
                 for written in bank.written {
                     let kept = sim.word(memory, written as u32).to_u64().unwrap_or(0);

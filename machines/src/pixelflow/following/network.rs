@@ -6,7 +6,8 @@ use tilewright_sim::Simulation;
 
 use super::array::Place;
 use crate::error::Error;
-use crate::trail::{Checks, Looks, Trail, Unit, compared, violated};
+use crate::looks::Looks;
+use crate::trail::{Checks, Trail, Unit, compared, violated};
 use crate::way::Step;
 
 const CLOCK: (&str, u64) = ("network", 5000);

@@ -5,7 +5,8 @@ use tilewright_sim::Simulation;
 
 use super::array::Place;
 use crate::error::Error;
-use crate::trail::{Checks, Looks, Trail, Unit, compared, violated};
+use crate::looks::Looks;
+use crate::trail::{Checks, Trail, Unit, compared, violated};
 
 const CLOCK: (&str, u64) = ("clk", 10_000);
 const PORT: [&str; 5] = ["start", "port_pixel", "port_address", "port_writes", "done"];

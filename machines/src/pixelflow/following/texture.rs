@@ -10,7 +10,8 @@ use tilewright_sim::Simulation;
 
 use super::array::Place;
 use crate::error::Error;
-use crate::trail::{Checks, Looks, Trail, Unit, compared, violated};
+use crate::looks::Looks;
+use crate::trail::{Checks, Trail, Unit, compared, violated};
 
 const CLOCK: (&str, u64) = ("clk", 10_000);
 /// Bytes of a request, and of its texels; the register of the first texel; the clocks of the memory.

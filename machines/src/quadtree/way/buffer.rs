@@ -6,6 +6,7 @@ use tilewright_rtl::quadtree::format::Format;
 
 use super::pixels::Fragment;
 use super::{Followed, Sim, net};
+use crate::looks::Words;
 use crate::told::{At, Edge, Told, compared, hex};
 
 /// Clocks from a fragment until its word is stored.
@@ -21,7 +22,7 @@ pub(super) struct Buffer {
     /// The words of the bank that is drawn into, by sample; the others are empty.
     words: HashMap<(u32, u32), u64>,
     under_way: VecDeque<(Fragment, u64)>,
-    unit: String,
+    banks: [Words; 2],
 }
 
 impl Buffer {
@@ -29,7 +30,8 @@ impl Buffer {
         let unit = format!("u_processor[{}].u_buffer", followed.processor);
         let empty = (1 << followed.format.word()) - 1;
         let (words, under_way) = (HashMap::new(), VecDeque::new());
-        Buffer { followed: followed.clone(), strict, empty, back: None, words, under_way, unit }
+        let banks = [0, 1].map(|number| Words::of(format!("{unit}.bank{number}")));
+        Buffer { followed: followed.clone(), strict, empty, back: None, words, under_way, banks }
     }
 
     fn at(&self, edge: Edge) -> At {
@@ -47,13 +49,14 @@ impl Buffer {
     }
 
     /// The name of a bank.
-    pub fn bank(&self, number: u64) -> String {
-        format!("{}.bank{number}", self.unit)
+    pub fn bank(&self, number: u64) -> &str {
+        &self.banks[number as usize].name
     }
 
     /// The word of the followed sample in a bank.
-    pub fn stored(&self, sim: &Sim, bank: u64) -> u64 {
-        word(sim, &self.bank(bank), address(&self.followed.format, self.followed.x, self.followed.y))
+    pub fn stored(&mut self, sim: &Sim, bank: u64) -> u64 {
+        let at = address(&self.followed.format, self.followed.x, self.followed.y);
+        self.banks[bank as usize].word(sim, at)
     }
 
     /// Looks before an edge.
@@ -73,7 +76,7 @@ impl Buffer {
         let at = address(&self.followed.format, x, y);
         // A fragment may be outside of the screen, after a unit before this one has failed.
         let is_inside = x < self.followed.format.columns() && y < self.followed.format.rows();
-        let stays = if is_inside { word(sim, &self.bank(back), at) } else { expected };
+        let stays = if is_inside { self.banks[back as usize].word(sim, at) } else { expected };
         if is_followed || stays != expected {
             told.check("stays", 0, is_followed, || {
                 let values = vec![
@@ -117,9 +120,4 @@ fn address(format: &Format, x: u32, y: u32) -> u32 {
     let first = y << whole | x & ((1 << whole) - 1);
     let top = bits(folded) - 1;
     if x >> whole & 1 == 1 { y << behind | x & ((1 << behind) - 1) | 1 << top } else { first }
-}
-
-fn word(sim: &Sim, memory: &str, address: u32) -> u64 {
-    let value = sim.peek_memory(memory, address).unwrap_or_else(|unknown| panic!("{unknown}"));
-    value.to_u64().expect("it has at most 64 bits")
 }

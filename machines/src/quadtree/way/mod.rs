@@ -25,6 +25,7 @@ use tilewright_sim::Simulation;
 
 use super::config::Config;
 use crate::error::Error;
+use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared};
 use crate::way::{Follower, Primitive, Way};
 use buffer::Buffer;
@@ -35,6 +36,12 @@ use units::Link;
 
 /// The simulation that is observed.
 type Sim = Simulation<QuadtreeGeneratorIn, QuadtreeGeneratorOut>;
+
+/// The simulation before an edge, and the nets that are looked at in each clock.
+struct Seen<'a> {
+    sim: &'a mut Sim,
+    nets: &'a Looks,
+}
 
 /// The name of the machine's clock.
 const CLOCK: &str = "clk";
@@ -60,6 +67,7 @@ pub(crate) struct Following {
     primitives: Vec<Primitive>,
     told: Told,
     period: u64,
+    looks: Looks,
     packets: Packets,
     links: Vec<Link>,
     idle: Vec<(String, &'static str)>,
@@ -87,7 +95,8 @@ impl Following {
         let pixel = y * config.size.width() + x;
         let followed = Followed { format, pixel, processor: row * p + column, column, row, x: x / p, y: y / q };
         let polygons: Rc<[Polygon]> = polygons.into();
-        let links = units::of(&followed, &config.parsed_form()?, &polygons);
+        let mut looks = Looks::default();
+        let links = units::of(&mut looks, &followed, &config.parsed_form()?, &polygons);
         // Each window takes a clock for each edge of each quarter, and more for those that pass.
         let windows = (4_u64.pow(format.levels() + 1) + 64) / 3 * u64::from(4 * config.edges + 16);
         let queues = config.queues.broadcast + config.queues.packets + 2;
@@ -96,10 +105,11 @@ impl Following {
             primitives: primitives(&polygons, follower.pixel, background, config.strict),
             told: Told::default(),
             period,
-            packets: Packets::new(&followed, polygons.clone()),
+            packets: Packets::new(&mut looks, &followed, polygons.clone()),
             links,
             idle: idle(&followed, &config.parsed_form()?),
-            pixels: Pixels::new(&followed, polygons, follower.pixel),
+            pixels: Pixels::new(&mut looks, &followed, polygons, follower.pixel),
+            looks,
             buffer: Buffer::new(&followed, config.strict),
             reading: Reading::new(&followed, background),
             is_reading: false,
@@ -119,15 +129,17 @@ impl Following {
             self.reading.look(sim, edge, &self.buffer, &mut self.told);
             return;
         }
+        self.looks.look(sim);
+        let mut seen = Seen { sim, nets: &self.looks };
         self.still += 1;
-        if self.packets.look(sim, edge, &mut self.told) {
+        if self.packets.look(&mut seen, edge, &mut self.told) {
             self.still = 0;
         }
         for link in &mut self.links {
-            link.look(sim, edge, &mut self.told);
+            link.look(&mut seen, edge, &mut self.told);
         }
-        self.buffer.look(sim, edge, &mut self.told);
-        let fragment = self.pixels.look(sim, edge, (&mut self.primitives, &mut self.told));
+        self.buffer.look(seen.sim, edge, &mut self.told);
+        let fragment = self.pixels.look(&mut seen, edge, (&mut self.primitives, &mut self.told));
         if let Some(fragment) = fragment {
             self.buffer.draws(fragment, edge.number);
         }

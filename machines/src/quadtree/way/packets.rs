@@ -5,8 +5,12 @@ use std::rc::Rc;
 use tilewright_scenes::{Plane, Polygon};
 
 use super::nets::Windows;
-use super::{Followed, Sim, net, nothing};
+use super::{Followed, Seen, Sim, nothing};
+use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared};
+
+/// The ends of a box.
+const ENDS: [&str; 4] = ["left", "top", "right", "bottom"];
 
 /// A place where packets pass one after another.
 struct Place {
@@ -14,8 +18,11 @@ struct Place {
     block: &'static str,
     does: &'static str,
     valid: String,
-    ready: String,
-    fields: Vec<String>,
+    /// The place of the nets that say whether a packet comes, and is taken.
+    place: usize,
+    /// The fields, and their names.
+    fields: Looks,
+    names: Vec<String>,
     /// The number of packets that have passed.
     passed: usize,
 }
@@ -27,64 +34,69 @@ pub(super) struct Packets {
     places: [Place; 2],
     roots: Windows,
     made: usize,
+    /// The ends of the samples' places, at the video processor and at its set-up.
+    ends: [Looks; 2],
 }
 
 impl Packets {
-    pub fn new(followed: &Followed, polygons: Rc<[Polygon]>) -> Packets {
+    pub fn new(looks: &mut Looks, followed: &Followed, polygons: Rc<[Polygon]>) -> Packets {
         let processor = format!("u_processor[{}]", followed.processor);
         let room = followed.format.edges();
-        let place = |unit: String, block, does, port: String| {
+        let mut place = |unit: String, block, does, port: String| {
             let lanes =
                 |name: &str, count: u32| (0..count).map(|lane| format!("{port}_{name}[{lane}]")).collect::<Vec<_>>();
-            let mut fields = vec![format!("{port}_last_edge")];
-            ["a", "b", "c"].iter().for_each(|it| fields.extend(lanes(&format!("edges_{it}"), room)));
-            ["x", "y", "origin"].iter().for_each(|it| fields.extend(lanes(&format!("planes_{it}"), 4)));
-            fields.extend(["left", "top", "right", "bottom"].map(|it| format!("{port}_bounds_{it}")));
+            let mut names = vec![format!("{port}_last_edge")];
+            ["a", "b", "c"].iter().for_each(|it| names.extend(lanes(&format!("edges_{it}"), room)));
+            ["x", "y", "origin"].iter().for_each(|it| names.extend(lanes(&format!("planes_{it}"), 4)));
+            names.extend(ENDS.map(|it| format!("{port}_bounds_{it}")));
+            let mut fields = Looks::default();
+            fields.add("", names.iter().map(|it| &**it));
             Place {
                 unit,
                 block,
                 does,
                 valid: format!("{port}_valid"),
-                ready: format!("{port}_ready"),
+                place: looks.add(&port, ["_valid", "_ready"]),
                 fields,
+                names,
                 passed: 0,
             }
         };
         let number = followed.processor;
-        Packets {
-            followed: followed.clone(),
-            polygons,
-            places: [
-                place(
-                    "broadcast".to_owned(),
-                    "quadtree-generator",
-                    "brings the packet to the video processor",
-                    format!("{processor}.packets"),
-                ),
-                place(
-                    format!("wire to the set-up of video processor {number}"),
-                    "video-processor",
-                    "passes the packet to the set-up",
-                    format!("{processor}.u_set_up.packets"),
-                ),
-            ],
-            roots: Windows::of(&format!("{processor}.u_set_up.roots"), &followed.format),
-            made: 0,
-        }
+        let places = [
+            place(
+                "broadcast".to_owned(),
+                "quadtree-generator",
+                "brings the packet to the video processor",
+                format!("{processor}.packets"),
+            ),
+            place(
+                format!("wire to the set-up of video processor {number}"),
+                "video-processor",
+                "passes the packet to the set-up",
+                format!("{processor}.u_set_up.packets"),
+            ),
+        ];
+        let ends = ["", ".u_set_up"].map(|path| {
+            let mut ends = Looks::default();
+            ends.add(&format!("{processor}{path}.place_"), ENDS);
+            ends
+        });
+        let roots = Windows::of(looks, &format!("{processor}.u_set_up.roots"), &followed.format);
+        Packets { followed: followed.clone(), polygons, places, roots, made: 0, ends }
     }
 
     /// Looks before an edge. Returns whether a packet passes.
-    pub fn look(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) -> bool {
+    pub fn look(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) -> bool {
         let mut any = false;
         for number in 0..self.places.len() {
-            let place = &self.places[number];
-            if net(sim, &place.valid) == 1 && net(sim, &place.ready) == 1 {
+            if seen.nets.from(self.places[number].place) == [1, 1] {
                 any = true;
-                self.passes(sim, edge, number, told);
+                self.passes(seen.sim, edge, number, told);
             }
         }
-        if self.roots.passes(sim) {
-            self.makes(sim, edge, told);
+        if self.roots.passes(seen.nets) {
+            self.makes(seen, edge, told);
         }
         any
     }
@@ -94,17 +106,20 @@ impl Packets {
         let place = &mut self.places[number];
         let packet = self.polygons.get(place.passed);
         place.passed += 1;
-        let fields: Vec<_> = place.fields.iter().map(|name| sim.peek(name).expect("ports have those fields")).collect();
+        place.fields.look(sim);
+        let fields = place.fields.values();
         let golden = packet.map(|packet| expected(packet, self.followed.format.edges() as usize));
         let wrong = match &golden {
             None => Some(("packet", "another one".to_owned(), "nothing".to_owned())),
-            Some(golden) => fields.iter().zip(golden).zip(&place.fields).find_map(|((field, golden), name)| {
-                let width = field.width();
-                let golden = *golden as u64 & if width < 64 { (1 << width) - 1 } else { u64::MAX };
-                let value = field.to_u64().unwrap_or_default();
-                let name = name.rsplit('.').next().unwrap_or(name);
-                (value != golden).then(|| ("field", format!("{name} {value:x}"), format!("{name} {golden:x}")))
-            }),
+            Some(golden) => {
+                (0..).zip(fields).zip(golden).zip(&place.names).find_map(|(((at, value), golden), name)| {
+                    let width = place.fields.width(at);
+                    let golden = *golden as u64 & if width < 64 { (1 << width) - 1 } else { u64::MAX };
+                    let value = *value;
+                    let name = name.rsplit('.').next().unwrap_or(name);
+                    (value != golden).then(|| ("field", format!("{name} {value:x}"), format!("{name} {golden:x}")))
+                })
+            }
         };
         let place = &self.places[number];
         let is_told = number == 0 && packet.is_some_and(|it| self.followed.is_told(it));
@@ -124,16 +139,17 @@ impl Packets {
     }
 
     /// Compares the constants that say where the video processor's samples are.
-    fn places(&self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+    fn places(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
         let Followed { format, column, row, processor, .. } = &self.followed;
         let place = format.place_of(*column, *row);
         let golden = [place.left, place.top, place.right, place.bottom];
-        for (path, block) in [("", "quadtree-generator"), (".u_set_up", "video-processor")] {
-            for (end, golden) in ["left", "top", "right", "bottom"].iter().zip(golden) {
+        for ((path, block), ends) in
+            [("", "quadtree-generator"), (".u_set_up", "video-processor")].into_iter().zip(&mut self.ends)
+        {
+            ends.look(sim);
+            for (at, (end, golden)) in ENDS.iter().zip(golden).enumerate() {
+                let (value, golden) = (ends.at(at), golden as u64 & ((1 << ends.width(at)) - 1));
                 let name = format!("u_processor[{processor}]{path}.place_{end}");
-                let value = sim.peek(&name).unwrap_or_else(|unknown| panic!("{unknown}"));
-                let golden = golden as u64 & ((1 << value.width()) - 1);
-                let value = value.to_u64().unwrap_or_default();
                 if value != golden {
                     told.check("place", 0, false, || {
                         let at = At { unit: format!("wire to `{name}`"), block, edge };
@@ -146,8 +162,8 @@ impl Packets {
     }
 
     /// The set-up puts out the window of all samples.
-    fn makes(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
-        self.places(sim, edge, told);
+    fn makes(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
+        self.places(seen.sim, edge, told);
         let number = self.made;
         self.made += 1;
         let at = || At { unit: "set-up".to_owned(), block: "quadtree-set-up", edge };
@@ -157,7 +173,7 @@ impl Packets {
             });
         };
         let golden = self.followed.fields(packet, self.followed.square(self.followed.format.levels()));
-        let values = self.roots.compare(sim, &golden);
+        let values = self.roots.compare(seen, &golden);
         let is_told = self.followed.is_told(packet);
         if is_told || values.iter().any(|it| it.differs()) {
             told.check("root", 0, is_told, || {

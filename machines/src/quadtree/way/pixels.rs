@@ -6,7 +6,8 @@ use tilewright_scenes::Polygon;
 use tilewright_scenes::packet::FRACTION_BITS;
 
 use super::nets::Windows;
-use super::{Followed, Sim, net, nothing};
+use super::{Followed, Seen, nothing};
+use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared, hex};
 use crate::way::Primitive;
 
@@ -26,8 +27,9 @@ pub(super) struct Pixels {
     polygons: Rc<[Polygon]>,
     pixel: [u32; 2],
     leaves: Windows,
-    planes: [String; 4],
-    fragment: [String; 4],
+    /// The name of the unit, and the place of the nets of a fragment: whether there is one, its sample, and its word.
+    unit: String,
+    place: usize,
     /// The next packet with a leaf at the sample.
     next: usize,
     /// The leaf that was taken at the last edge.
@@ -43,15 +45,15 @@ struct Leaf {
 }
 
 impl Pixels {
-    pub fn new(followed: &Followed, polygons: Rc<[Polygon]>, pixel: [u32; 2]) -> Pixels {
+    pub fn new(looks: &mut Looks, followed: &Followed, polygons: Rc<[Polygon]>, pixel: [u32; 2]) -> Pixels {
         let unit = format!("u_processor[{}].u_pixel", followed.processor);
         let mut pixels = Pixels {
             followed: followed.clone(),
             polygons,
             pixel,
-            leaves: Windows::of(&format!("{unit}.leaves"), &followed.format),
-            planes: [0, 1, 2, 3].map(|lane| format!("{unit}.leaves_window_planes[{lane}]")),
-            fragment: ["valid", "x", "y", "word"].map(|it| format!("{unit}.fragment_{it}")),
+            leaves: Windows::of(looks, &format!("{unit}.leaves"), &followed.format),
+            place: looks.add(&unit, [".fragment_valid", ".fragment_x", ".fragment_y", ".fragment_word"]),
+            unit,
             next: 0,
             taken: None,
         };
@@ -76,15 +78,15 @@ impl Pixels {
     /// Looks before an edge. Returns the fragment that is drawn at it.
     pub fn look(
         &mut self,
-        sim: &mut Sim,
+        seen: &mut Seen,
         edge: Edge,
         (primitives, told): (&mut [Primitive], &mut Told),
     ) -> Option<Fragment> {
-        let valid = net(sim, &self.fragment[0]) == 1;
+        let valid = seen.nets.at(self.place) == 1;
         let taken = self.taken.take();
-        let fragment = self.sees(sim, edge, (valid, taken), (primitives, told));
-        if net(sim, &self.leaves.valid) == 1 {
-            self.takes(sim, edge, told);
+        let fragment = self.sees(seen.nets, edge, (valid, taken), (primitives, told));
+        if self.leaves.is_valid(seen.nets) {
+            self.takes(seen, edge, told);
         }
         fragment
     }
@@ -92,7 +94,7 @@ impl Pixels {
     /// The fragment of the leaf that was taken.
     fn sees(
         &mut self,
-        sim: &mut Sim,
+        nets: &Looks,
         edge: Edge,
         (valid, taken): (bool, Option<Leaf>),
         (primitives, told): (&mut [Primitive], &mut Told),
@@ -100,7 +102,7 @@ impl Pixels {
         if !valid && taken.is_none() {
             return None;
         }
-        let [x, y, word] = [1, 2, 3].map(|i| net(sim, &self.fragment[i]));
+        let [x, y, word] = nets.from(self.place + 1);
         let shown = |it: Option<(u64, u64, u64)>| {
             it.map_or("nothing".to_owned(), |it| format!("{} at {},{}", hex(it.2), it.0, it.1))
         };
@@ -124,7 +126,7 @@ impl Pixels {
             let is_told = is_followed || packet.is_some();
             told.check("fragment", 0, is_told, || {
                 let values = vec![compared("fragment", shown(seen), shown(golden))];
-                self.at(edge).step("makes a fragment", values).of(packet).on(&self.fragment[3])
+                self.at(edge).step("makes a fragment", values).of(packet).on(format!("{}.fragment_word", self.unit))
             });
         }
         if is_followed {
@@ -135,11 +137,11 @@ impl Pixels {
     }
 
     /// It takes a window of one sample.
-    fn takes(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
-        let square = self.leaves.square(sim);
+    fn takes(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
+        let square = self.leaves.square(seen.nets);
         let is_followed = square.size == 0 && self.followed.is_in(square);
         let precision = self.followed.format.precision();
-        let planes = self.planes.each_ref().map(|name| net(sim, name));
+        let planes = self.leaves.planes(seen.sim);
         let part = |plane: u64, from: u32, width: u32| plane >> from & ((1 << width) - 1);
         let colour = |plane: u64| part(plane, FRACTION_BITS, precision.colour);
         let word = planes[1..].iter().fold(part(planes[0], FRACTION_BITS, precision.depth), |word, plane| {
@@ -149,7 +151,7 @@ impl Pixels {
         if is_followed {
             let expected = self.polygons.get(self.next);
             let values =
-                expected.map(|it| self.leaves.compare(sim, &self.followed.fields(it, self.followed.square(0))));
+                expected.map(|it| self.leaves.compare(seen, &self.followed.fields(it, self.followed.square(0))));
             packet = expected.map(|_| self.next);
             let values = values.unwrap_or_else(|| vec![compared("window", "another one", "nothing")]);
             if values.iter().any(|it| it.differs()) {

@@ -4,6 +4,7 @@ use tilewright_scenes::frame::blank;
 
 use super::buffer::Buffer;
 use super::{Followed, Sim, net, nothing};
+use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared, hex};
 
 /// The model of the controller: a counter of the groups that it has asked for.
@@ -17,12 +18,16 @@ pub(super) struct Reading {
     /// The word that the buffer sent, and whether the group with it has come.
     sent: Option<u64>,
     is_read: bool,
+    /// Whether it asks for a group, and which one; then what the video processor is asked for.
+    looks: Looks,
 }
 
 impl Reading {
     pub fn new(followed: &Followed, background: [u8; 3]) -> Reading {
-        let followed = followed.clone();
-        Reading { followed, background: blank(background), asked: 0, is_due: false, sent: None, is_read: false }
+        let (followed, mut looks) = (followed.clone(), Looks::default());
+        looks.add("u_controller.", ["asks", "column", "line"]);
+        looks.add(&format!("u_processor[{}].scan_", followed.processor), ["x", "y", "enable"]);
+        Reading { followed, background: blank(background), asked: 0, is_due: false, sent: None, is_read: false, looks }
     }
 
     fn at(edge: Edge) -> At {
@@ -32,8 +37,9 @@ impl Reading {
     /// Looks before an edge.
     pub fn look(&mut self, sim: &mut Sim, edge: Edge, buffer: &Buffer, told: &mut Told) {
         self.sends(sim, edge, buffer, told);
-        if net(sim, "u_controller.asks") == 1 {
-            self.asks(sim, edge, told);
+        self.looks.look(sim);
+        if self.looks.at(0) == 1 {
+            self.asks(edge, told);
         }
     }
 
@@ -49,17 +55,16 @@ impl Reading {
         }
     }
 
-    fn asks(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+    fn asks(&mut self, edge: Edge, told: &mut Told) {
         let columns = self.followed.format.columns();
         let [column, line] = [self.asked % columns, self.asked / columns];
         self.asked += 1;
-        let seen = ["column", "line"].map(|it| net(sim, &format!("u_controller.{it}")) as u32);
+        let seen = self.looks.from(1).map(|number| number as u32);
         let matrix = self.followed.format.matrix();
         let Followed { x, y, row, .. } = self.followed;
         let is_it = [column, line] == [x, y * matrix.rows() + row];
         if is_it || seen != [column, line] {
-            let [scan_x, scan_y, enable] = ["x", "y", "enable"]
-                .map(|it| net(sim, &format!("u_processor[{}].scan_{it}", self.followed.processor)) as u32);
+            let [scan_x, scan_y, enable] = self.looks.from(3).map(|number| number as u32);
             told.check("asks", 0, is_it, || {
                 let mut values = vec![compared(
                     "group",

@@ -5,9 +5,10 @@ use std::rc::Rc;
 use tilewright_scenes::Polygon;
 
 use super::Followed;
-use super::Sim;
+use super::Seen;
 use super::nets::Windows;
 use super::numbers::{Fields, Square};
+use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared};
 
 /// Which windows come, and which of them is next.
@@ -76,23 +77,25 @@ pub(super) struct Passage {
 impl Passage {
     /// That port, to which a block connects another one, for windows of that size.
     pub fn new(
+        looks: &mut Looks,
         (number, port): (u32, &str),
         (unit, block): (&str, &'static str),
         size: u32,
         (followed, polygons): (&Followed, &Rc<[Polygon]>),
     ) -> Passage {
         let sequence = Sequence::new(followed, polygons, [size; 2]);
-        Passage { number, sequence, windows: Windows::of(port, &followed.format), unit: unit.to_owned(), block }
+        Passage { number, sequence, windows: Windows::of(looks, port, &followed.format), unit: unit.to_owned(), block }
     }
 
     /// Looks before an edge.
-    pub fn look(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
-        if !self.windows.passes(sim) || !self.sequence.followed.is_in(self.windows.square(sim)) {
+    pub fn look(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
+        let nets = seen.nets;
+        if !self.windows.passes(nets) || !self.sequence.followed.is_in(self.windows.square(nets)) {
             return;
         }
         let packet = self.sequence.packet();
         let values = match packet {
-            Some(packet) => self.windows.compare(sim, &self.sequence.fields(packet)),
+            Some(packet) => self.windows.compare(seen, &self.sequence.fields(packet)),
             None => vec![compared("window", "another one", "nothing")],
         };
         if values.iter().any(|it| it.differs()) {

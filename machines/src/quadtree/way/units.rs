@@ -9,7 +9,8 @@ use super::nets::Windows;
 use super::numbers::Square;
 use super::queue::Queue;
 use super::sequence::{Passage, Sequence};
-use super::{Followed, Sim, net, nothing};
+use super::{Followed, Seen, Sim, net, nothing};
+use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared, yes};
 
 /// A part of the windows' way.
@@ -21,11 +22,11 @@ pub(super) enum Link {
 
 impl Link {
     /// Looks before an edge.
-    pub fn look(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+    pub fn look(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
         match self {
-            Link::Passage(it) => it.look(sim, edge, told),
-            Link::Queue(it) => it.look(sim, edge, told),
-            Link::Unit(it) => it.look(sim, edge, told),
+            Link::Passage(it) => it.look(seen, edge, told),
+            Link::Queue(it) => it.look(seen, edge, told),
+            Link::Unit(it) => it.look(seen, edge, told),
         }
     }
 
@@ -51,9 +52,9 @@ pub(super) struct Unit {
     sequence: Sequence,
     works: Windows,
     parts: Windows,
-    ends_quarter: String,
-    fails: String,
-    quarter: String,
+    /// The name of its instance, and the place of its nets: whether a quarter ends, whether it fails, and its number.
+    path: String,
+    place: usize,
     /// The window that it divides, if that has the sample, and whether the sample's quarter has been tested.
     divides: Option<Divided>,
 }
@@ -69,18 +70,21 @@ struct Divided {
 type Of<'a> = (&'a Followed, &'a Rc<[Polygon]>);
 
 /// The way of the followed sample's windows from the set-up to the pixel processor.
-pub(super) fn of(followed: &Followed, form: &Form, polygons: &Rc<[Polygon]>) -> Vec<Link> {
+pub(super) fn of(looks: &mut Looks, followed: &Followed, form: &Form, polygons: &Rc<[Polygon]>) -> Vec<Link> {
     let processor = format!("u_processor[{}]", followed.processor);
     let raster = format!("{processor}.u_raster");
     let mut from = followed.format.levels();
     let mut links: Vec<Link> =
-        vec![Link::Queue(Queue::new(0, "u_queue")), Link::Queue(Queue::new(1, &format!("{processor}.u_queue")))];
-    let passage = |links: &mut Vec<Link>, port: String, block: &'static str, size: u32| {
+        vec![Queue::new(looks, 0, "u_queue"), Queue::new(looks, 1, &format!("{processor}.u_queue"))]
+            .into_iter()
+            .map(Link::Queue)
+            .collect();
+    let passage = |looks: &mut Looks, links: &mut Vec<Link>, port: String, block: &'static str, size: u32| {
         let unit = format!("wire to `{port}`");
-        let passage = Passage::new((links.len() as u32, &port), (&unit, block), size, (followed, polygons));
+        let passage = Passage::new(looks, (links.len() as u32, &port), (&unit, block), size, (followed, polygons));
         links.push(Link::Passage(Box::new(passage)));
     };
-    passage(&mut links, format!("{raster}.works"), "video-processor", from);
+    passage(looks, &mut links, format!("{raster}.works"), "video-processor", from);
     for (number, part) in form.parts().iter().enumerate() {
         let (name, block) = match part {
             Part::Stack(_) => ("stack", "quadtree-stack"),
@@ -88,23 +92,30 @@ pub(super) fn of(followed: &Followed, form: &Form, polygons: &Rc<[Polygon]>) -> 
             Part::Tree(_) => ("tree", "quadtree-tree"),
         };
         let path = format!("{raster}.u_{name}{number}");
-        passage(&mut links, format!("{path}.works"), "raster-processor", from);
-        let inner = units(&path, (*part, block), from, (followed, polygons), links.len() as u32);
+        passage(looks, &mut links, format!("{path}.works"), "raster-processor", from);
+        let inner = units(looks, &path, (*part, block), from, (followed, polygons), links.len() as u32);
         links.extend(inner);
         from -= part.levels();
-        passage(&mut links, format!("{path}.parts"), block, from);
+        passage(looks, &mut links, format!("{path}.parts"), block, from);
     }
-    passage(&mut links, format!("{raster}.parts"), "raster-processor", 0);
+    passage(looks, &mut links, format!("{raster}.parts"), "raster-processor", 0);
     links
 }
 
 /// The queues and the units of a part, whose windows have at most that size.
-fn units(path: &str, (part, block): (Part, &'static str), from: u32, of: Of, first: u32) -> Vec<Link> {
+fn units(
+    looks: &mut Looks,
+    path: &str,
+    (part, block): (Part, &'static str),
+    from: u32,
+    of: Of,
+    first: u32,
+) -> Vec<Link> {
     let mut links = Vec::new();
     let mut add = |queue: Option<String>, unit: String, sizes: [u32; 2]| {
         let number = first + links.len() as u32;
-        links.extend(queue.map(|queue| Link::Queue(Queue::new(number, &queue))));
-        links.push(Link::Unit(Box::new(Unit::new((number, unit), block, sizes, of))));
+        links.extend(queue.map(|queue| Link::Queue(Queue::new(looks, number, &queue))));
+        links.push(Link::Unit(Box::new(Unit::new(looks, (number, unit), block, sizes, of))));
     };
     match part {
         Part::Stack(levels) => add(None, format!("{path}.u_test"), [from, from - levels + 1]),
@@ -133,7 +144,7 @@ impl Followed {
 }
 
 impl Unit {
-    fn new((number, path): (u32, String), before: &'static str, sizes: [u32; 2], of: Of) -> Unit {
+    fn new(looks: &mut Looks, (number, path): (u32, String), before: &'static str, sizes: [u32; 2], of: Of) -> Unit {
         let (followed, polygons) = of;
         let levels = followed.format.levels();
         let level = |size: u32| levels - size + 1;
@@ -148,11 +159,10 @@ impl Unit {
             before,
             name: format!("coverage test of {name}"),
             sequence: Sequence::new(followed, polygons, sizes),
-            works: Windows::of(&format!("{path}.works"), &followed.format),
-            parts: Windows::of(&format!("{path}.parts"), &followed.format),
-            ends_quarter: format!("{path}.ends_quarter"),
-            fails: format!("{path}.fails"),
-            quarter: format!("{path}.number"),
+            works: Windows::of(looks, &format!("{path}.works"), &followed.format),
+            parts: Windows::of(looks, &format!("{path}.parts"), &followed.format),
+            place: looks.add(&path, [".ends_quarter", ".fails", ".number"]),
+            path,
             divides: None,
         }
     }
@@ -162,31 +172,33 @@ impl Unit {
     }
 
     /// Looks before an edge.
-    pub fn look(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
-        if net(sim, &self.ends_quarter) == 1 {
-            self.ends_quarter(sim, edge, told);
+    pub fn look(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
+        if seen.nets.at(self.place) == 1 {
+            self.ends_quarter(seen, edge, told);
         }
-        if self.works.passes(sim) {
+        if self.works.passes(seen.nets) {
             if let Some(lost) = self.divides.take().filter(|it| !it.is_tested) {
                 self.never_tests(edge, &lost, told);
             }
-            let square = self.works.square(sim);
+            let square = self.works.square(seen.nets);
             if self.followed.is_in(square) {
-                self.takes(sim, edge, told);
+                self.takes(seen, edge, told);
             }
         }
     }
 
     fn never_tests(&self, edge: Edge, lost: &Divided, told: &mut Told) {
         let step = nothing(self.name.clone(), "coverage-test", edge, "tests the quarter".to_owned(), "a test");
-        told.check("never tests", self.number, false, || step.of(Some(lost.packet)).on(&self.quarter));
+        told.check("never tests", self.number, false, || {
+            step.of(Some(lost.packet)).on(format!("{}.number", self.path))
+        });
     }
 
     /// It takes a window with the sample.
-    fn takes(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+    fn takes(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
         let packet = self.sequence.packet();
         let values = match packet {
-            Some(packet) => self.works.compare(sim, &self.sequence.fields(packet)),
+            Some(packet) => self.works.compare(seen, &self.sequence.fields(packet)),
             None => vec![compared("window", "another one", "nothing")],
         };
         if values.iter().any(|it| it.differs()) {
@@ -202,9 +214,10 @@ impl Unit {
     }
 
     /// A quarter has failed, or is put out.
-    fn ends_quarter(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
-        let (number, fails) = (net(sim, &self.quarter) as u32, net(sim, &self.fails) == 1);
-        let out = if fails { None } else { Some(self.parts.square(sim)) };
+    fn ends_quarter(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
+        let [fails, number] = seen.nets.from(self.place + 1);
+        let (number, fails) = (number as u32, fails == 1);
+        let out = if fails { None } else { Some(self.parts.square(seen.nets)) };
         let is_followed = |it: &Divided| !it.is_tested && self.followed.quarter(it.square.size) == number;
         let Some(divided) = self.divides.as_mut().filter(|it| is_followed(it)) else {
             if out.is_some_and(|square| self.followed.is_in(square)) {
@@ -221,11 +234,11 @@ impl Unit {
         let expected = self.followed.may_cover(polygon, square);
         let mut values = vec![compared("passes", yes(!fails), yes(expected))];
         if !fails && expected {
-            values.extend(self.parts.compare(sim, &self.followed.fields(polygon, square)));
+            values.extend(self.parts.compare(seen, &self.followed.fields(polygon, square)));
         }
         let step = self.at(edge).step(format!("tests the quarter of {0}x{0} samples", 1 << size), values);
         if step.differs() || self.followed.is_told(polygon) {
-            told.tell(step.of(Some(packet)).on(&self.fails));
+            told.tell(step.of(Some(packet)).on(format!("{}.fails", self.path)));
         }
     }
 

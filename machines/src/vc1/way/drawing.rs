@@ -3,7 +3,8 @@
 use tilewright_rtl::vc1::Vc1;
 
 use super::image::Image;
-use super::{Followed, Sim, net, pe, word};
+use super::{Followed, Sim, net, pe};
+use crate::looks::{Looks, Words};
 use crate::told::{At, Told, compared, hex, yes};
 use crate::vc1::scan_conversion::Pixel;
 
@@ -48,40 +49,81 @@ struct LookUp {
     began: u64,
 }
 
-/// The names of nets.
+/// The nets that are looked at together, while a look-up is under way, and after those of its image memory.
+const LOOKED_AT: [&str; 8] = [
+    "u_patch_table.stage1",
+    "u_patch_table.found",
+    "u_patch_table.page",
+    "u_patch_table.entry_resident",
+    "u_patch_table.entry_page",
+    "u_patch_table.u_page_id_generator.take",
+    "u_patch_table.u_page_id_generator.page",
+    "front",
+];
+
+/// Nets and their names.
 struct Nets {
-    unit: String,
-    stage: String,
+    looks: Looks,
+    /// The place of the first one of [`LOOKED_AT`].
+    place: usize,
     found: String,
     page: String,
-    resident: String,
     entry: String,
-    take: String,
     given: String,
     asked: String,
-    entries: String,
+    entries: Words,
     front: String,
     request: [String; 3],
+    /// The request, and the patch that is asked for.
+    port: Looks,
+}
+
+/// The values of [`LOOKED_AT`].
+struct Seen {
+    stage: u64,
+    found: bool,
+    page: u64,
+    entry: [u64; 2],
+    takes: bool,
+    given: u64,
+    front: u64,
+}
+
+impl Nets {
+    fn new(unit: &str, looks: Looks, place: usize) -> Nets {
+        let table = |name: &str| format!("{unit}.u_patch_table.{name}");
+        let request = ["x", "y", "word"].map(|it| format!("{unit}.request_{it}"));
+        let asked = table("look_up_patch");
+        let mut port = Looks::default();
+        port.add("", request.iter().chain([&asked]).map(|it| &**it));
+        Nets {
+            looks,
+            place,
+            found: table("found"),
+            page: table("page"),
+            entry: table("entry_page"),
+            given: table("u_page_id_generator.page"),
+            asked,
+            entries: Words::of(table("entries")),
+            front: format!("{unit}.front"),
+            request,
+            port,
+        }
+    }
+
+    fn seen(&self) -> Seen {
+        let [stage, found, page, resident, entry, takes, given, front] = self.looks.from(self.place);
+        Seen { stage, found: found == 1, page, entry: [resident, entry], takes: takes == 1, given, front }
+    }
 }
 
 impl Drawing {
     pub fn new(number: u32, machine: &Vc1, followed: Followed) -> Drawing {
         let unit = format!("u_lfb[{number}]");
-        let table = |name: &str| format!("{unit}.u_patch_table.{name}");
-        let nets = Nets {
-            stage: table("stage1"),
-            found: table("found"),
-            page: table("page"),
-            resident: table("entry_resident"),
-            entry: table("entry_page"),
-            take: table("u_page_id_generator.take"),
-            given: table("u_page_id_generator.page"),
-            asked: table("look_up_patch"),
-            entries: table("entries"),
-            front: format!("{unit}.front"),
-            request: ["x", "y", "word"].map(|it| format!("{unit}.request_{it}")),
-            unit,
-        };
+        let mut looks = Looks::default();
+        let image = Image::new(number, &unit, &machine.lfb, &mut looks);
+        let place = looks.add(&format!("{unit}."), LOOKED_AT);
+        let nets = Nets::new(&unit, looks, place);
         let patches = machine.lfb.patches;
         Drawing {
             number,
@@ -92,7 +134,7 @@ impl Drawing {
             taken: 0,
             front: 0,
             look_up: None,
-            image: Image::new(number, &nets.unit, &machine.lfb),
+            image,
             cleared: false,
             ended: false,
             nets,
@@ -136,7 +178,8 @@ impl Drawing {
             let values = vec![compared("word", hex(pixel.word), golden)];
             told.tell(at.step("draws the pixel", values).of(primitive).on(&self.nets.request[2]));
         }
-        let [x, y, came] = [0, 1, 2].map(|i| net(sim, &self.nets.request[i]));
+        self.nets.port.look(sim);
+        let [x, y, came, asked] = self.nets.port.from(0);
         if (x, y, came) != (pixel.x.into(), pixel.y.into(), pixel.word) {
             told.check("request", self.number, false, || {
                 let values = vec![
@@ -146,7 +189,6 @@ impl Drawing {
                 self.at("port", "vc1", clock).step("passes the pixel on", values).on(&self.nets.request[2])
             });
         }
-        let asked = net(sim, &self.nets.asked);
         if is_followed || asked != u64::from(patch) {
             told.check("locate", self.number, is_followed, || {
                 let values = vec![compared("patch", asked, patch)];
@@ -166,36 +208,39 @@ impl Drawing {
         if std::mem::take(&mut self.cleared) {
             self.looks_at_cleared(sim, clock, told);
         }
-        self.image.look(sim, clock, told);
+        if !self.image.is_busy() && self.look_up.is_none() {
+            return;
+        }
+        self.nets.looks.look(sim);
+        self.image.look(sim, clock, &self.nets.looks, told);
         let Some(mut look_up) = self.look_up.take() else { return };
-        let stage = net(sim, &self.nets.stage);
-        if stage == EXAMINE {
-            look_up.entry = Some([net(sim, &self.nets.resident), net(sim, &self.nets.entry)]);
+        let seen = self.nets.seen();
+        if seen.stage == EXAMINE {
+            look_up.entry = Some(seen.entry);
             self.examines(clock, &look_up, told);
         }
-        if net(sim, &self.nets.take) == 1 {
-            let given = net(sim, &self.nets.given);
-            self.gives(clock, given, &look_up, told);
-            look_up.given = Some(given);
+        if seen.takes {
+            self.gives(clock, seen.given, &look_up, told);
+            look_up.given = Some(seen.given);
             self.taken += 1;
         }
-        if net(sim, &self.nets.found) == 1 {
-            return self.finds(sim, clock, look_up, told);
+        if seen.found {
+            return self.finds(sim, clock, (look_up, &seen), told);
         }
-        if stage == IDLE && clock > look_up.began + 1 {
+        if seen.stage == IDLE && clock > look_up.began + 1 {
             return self.loses(clock, &look_up, told);
         }
         self.look_up = Some(look_up);
     }
 
-    fn looks_at_cleared(&self, sim: &mut Sim, clock: u64, told: &mut Told) {
-        let entry = word(sim, &self.nets.entries, 2 * self.followed.patch + self.front);
+    fn looks_at_cleared(&mut self, sim: &mut Sim, clock: u64, told: &mut Told) {
+        let entry = self.nets.entries.word(sim, 2 * self.followed.patch + self.front);
         let is_resident = entry >> self.page_bits & 1 == 1;
         if is_resident {
             told.check("clear", self.number, false, || {
                 let at = self.at("patch table", "patch-table", clock);
                 let does = format!("clears the entry of patch {}", self.followed.patch);
-                at.step(does, vec![compared("has a page", "yes", "no")]).on(&self.nets.entries)
+                at.step(does, vec![compared("has a page", "yes", "no")]).on(&self.nets.entries.name)
             });
         }
     }
@@ -233,13 +278,12 @@ impl Drawing {
     }
 
     /// The look-up ends.
-    fn finds(&mut self, sim: &mut Sim, clock: u64, look_up: LookUp, told: &mut Told) {
+    fn finds(&mut self, sim: &mut Sim, clock: u64, (look_up, seen): (LookUp, &Seen), told: &mut Told) {
         let LookUp { drawn, patch, offset, expected, given, .. } = look_up;
-        let (pixel, is_followed, primitive) = drawn;
-        let page = net(sim, &self.nets.page);
+        let ((_, is_followed, primitive), page) = (drawn, seen.page);
         // A patch that had no page takes the one that the generator gave.
         let golden = expected.map(u64::from).or(given);
-        let entry = word(sim, &self.nets.entries, 2 * patch + self.front);
+        let entry = self.nets.entries.word(sim, 2 * patch + self.front);
         let kept = (entry >> self.page_bits & 1 == 1).then_some(entry & ((1 << self.page_bits) - 1));
         let took = (given.is_some(), expected.is_none());
         if is_followed || Some(page) != golden || kept != golden || took.0 != took.1 {
@@ -255,15 +299,14 @@ impl Drawing {
             });
         }
         self.table[(2 * patch + self.front) as usize] = Some(page as u32);
-        self.image.takes(sim, clock, (drawn, page, [offset, self.front]), told);
-        let front = net(sim, &self.nets.front);
+        self.image.takes(clock, (drawn, page, [offset, self.front]), &self.nets.looks, told);
+        let front = seen.front;
         if front != u64::from(self.front) {
             told.check("front", self.number, false, || {
                 let at = self.at("local frame buffer", "lfb-unit", clock);
                 at.step("draws into a buffer", vec![compared("buffer", front, self.front)]).on(&self.nets.front)
             });
         }
-        let _ = pixel;
     }
 
     /// A look-up ended without a page.

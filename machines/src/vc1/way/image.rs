@@ -5,7 +5,8 @@ use std::collections::{HashMap, VecDeque};
 use tilewright_rtl::lfb::LfbUnit;
 
 use super::drawing::Drawn;
-use super::{Sim, net, pe, word};
+use super::{Sim, pe};
+use crate::looks::{Looks, Words};
 use crate::told::{At, Told, compared, hex};
 
 /// The word of a pixel where nothing is drawn.
@@ -38,25 +39,25 @@ struct Access {
     old: Option<u64>,
 }
 
-/// The names of nets.
+/// Nets: of their looks, the first one is [`LOOKED_AT`]'s.
 struct Nets {
-    draw: [String; 3],
-    front: String,
-    old: String,
+    place: usize,
+    draw_word: String,
     address: String,
-    words: String,
+    words: Words,
 }
+
+const LOOKED_AT: [&str; 6] = ["draw_page", "draw_offset", "draw_word", "front", "old_word", "drawn_address"];
 
 impl Image {
     /// One of the local frame buffer with that number and instance.
-    pub fn new(number: u32, unit: &str, lfb: &LfbUnit) -> Image {
+    pub fn new(number: u32, unit: &str, lfb: &LfbUnit, looks: &mut Looks) -> Image {
         let image = |name: &str| format!("{unit}.u_image_memory.{name}");
         let nets = Nets {
-            draw: ["page", "offset", "word"].map(|it| image(&format!("draw_{it}"))),
-            front: image("front"),
-            old: image("old_word"),
+            place: looks.add(&image(""), LOOKED_AT),
+            draw_word: image("draw_word"),
             address: image("drawn_address"),
-            words: image("words"),
+            words: Words::of(image("words")),
         };
         let offset_bits = lfb.patches.pixels().ilog2();
         let depth = 2 * lfb.pages * lfb.patches.pixels();
@@ -94,14 +95,13 @@ impl Image {
     /// A pixel comes from the first stage, for that page, place in the page and buffer.
     pub fn takes(
         &mut self,
-        sim: &mut Sim,
         clock: u64,
         (drawn, page, [offset, front]): (Drawn, u64, [u32; 2]),
+        nets: &Looks,
         told: &mut Told,
     ) {
         let (pixel, _, primitive) = drawn;
-        let [came_page, came_offset, came_word] = [0, 1, 2].map(|i| net(sim, &self.nets.draw[i]));
-        let came_front = net(sim, &self.nets.front);
+        let [came_page, came_offset, came_word, came_front] = nets.from(self.nets.place);
         if (came_page, came_offset, came_word, came_front) != (page, offset.into(), pixel.word, front.into()) {
             told.check("draw", self.number, false, || {
                 let values = vec![
@@ -111,7 +111,7 @@ impl Image {
                     compared("buffer", came_front, front),
                 ];
                 let at = self.at("local frame buffer", "lfb-unit", clock);
-                at.step("passes the pixel to the image memory", values).of(primitive).on(&self.nets.draw[2])
+                at.step("passes the pixel to the image memory", values).of(primitive).on(&self.nets.draw_word)
             });
         }
         let address = self.address(came_page as u32, came_offset as u32, came_front as u32);
@@ -119,13 +119,13 @@ impl Image {
     }
 
     /// Looks at the memory before an edge.
-    pub fn look(&mut self, sim: &mut Sim, clock: u64, told: &mut Told) {
+    pub fn look(&mut self, sim: &mut Sim, clock: u64, nets: &Looks, told: &mut Told) {
+        let [old, drawn] = nets.from(self.nets.place + 4);
         for at in 0..self.under_way.len() {
             let Access { came, address, .. } = self.under_way[at];
             match clock - came {
-                COMPARES => self.under_way[at].old = Some(net(sim, &self.nets.old)),
+                COMPARES => self.under_way[at].old = Some(old),
                 WRITES => {
-                    let drawn = net(sim, &self.nets.address);
                     if drawn != u64::from(address) {
                         told.check("address", self.number, false, || {
                             let values = vec![compared("address", drawn, address)];
@@ -148,7 +148,7 @@ impl Image {
         let expected = self.word(address);
         let nearer = expected.min(new);
         // An address may be outside of the memory, after a unit before this one has failed.
-        let stays = if address < self.depth { word(sim, &self.nets.words, address) } else { nearer };
+        let stays = if address < self.depth { self.nets.words.word(sim, address) } else { nearer };
         let old = old.unwrap_or_default();
         if is_followed || (old, stays) != (expected, nearer) {
             told.check("stays", self.number, is_followed, || {
@@ -160,7 +160,7 @@ impl Image {
                 let at = self.at("image memory", "image-memory", clock - 1);
                 at.step(format!("draws at address {address}"), values)
                     .of(primitive)
-                    .on(format!("{}[{address}]", self.nets.words))
+                    .on(format!("{}[{address}]", self.nets.words.name))
             });
         }
         self.words.insert(address, stays);

@@ -8,7 +8,8 @@ use tilewright_rtl::vc1::Vc1;
 use super::drawing::Drawing;
 use super::round::Round;
 use super::sequencer::{Scan, Sequencer};
-use super::{Followed, Sim, merge, net};
+use super::{Followed, Sim, merge};
+use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared, yes};
 
 /// The models of the merger's units.
@@ -19,6 +20,9 @@ pub(super) struct Merging {
     screen: Screen,
     sequencer: Sequencer,
     banks: Banks,
+    looks: Looks,
+    /// By local frame buffer, its scan counter and the wires of the scan.
+    scans: Vec<Scanned>,
     /// The rounds in which the pixel is under way, the oldest first.
     rounds: Vec<Round>,
     /// Clocks with `enable` since the last restart; the first one comes with the reset.
@@ -32,11 +36,43 @@ pub(super) struct Merging {
     frames: u32,
 }
 
+/// The nets of the scan in a local frame buffer.
+struct Scanned {
+    /// Those of the counter, and wires with their blocks.
+    counter: [String; 3],
+    wires: [(&'static str, String); 12],
+    looks: Looks,
+}
+
+impl Scanned {
+    fn new(number: u32) -> Scanned {
+        let unit = |path: &str| format!("u_lfb[{number}].{path}");
+        let wires = [
+            ("vc1", unit("scan_restart")),
+            ("vc1", unit("scan_enable")),
+            ("vc1", unit("preset_x")),
+            ("vc1", unit("preset_y")),
+            ("lfb-unit", unit("u_scan_counter.scan_restart")),
+            ("lfb-unit", unit("u_scan_counter.scan_enable")),
+            ("lfb-unit", unit("u_scan_counter.preset_x")),
+            ("lfb-unit", unit("u_scan_counter.preset_y")),
+            ("lfb-unit", unit("u_image_memory.send_enable")),
+            ("lfb-unit", unit("u_patch_table.scan_enable")),
+            ("vc1", "u_merger.enable".to_owned()),
+            ("image-merger", format!("u_merger.u_merging_unit[{number}].enable")),
+        ];
+        let counter = ["pixel_x", "pixel_y", "armed"].map(|it| unit(&format!("u_scan_counter.{it}")));
+        let mut looks = Looks::default();
+        looks.add("", counter.iter().chain(wires.iter().map(|(_, name)| name)).map(String::as_str));
+        Scanned { counter, wires, looks }
+    }
+}
+
 /// The swap of the global frame buffer's banks.
 struct Banks {
     merge_clocks: u64,
     way: u32,
-    frames: Vec<String>,
+    processors: usize,
     /// The bank being filled, which changes with `shown`.
     filled: u32,
     /// The first local frame buffer that has not ended the frame.
@@ -51,6 +87,12 @@ impl Merging {
         let mut sequencer = Sequencer::new(machine);
         // The first edge after the reset comes before the first look.
         sequencer.edge(false);
+        let mut looks = Looks::default();
+        looks.add("u_gfb.u_sequencer.", ["restart"].into_iter().chain(Scan::NETS));
+        looks.add("", ["u_gfb.blanking", "u_swap.u_gfb_swap.swap"]);
+        for number in 0..machine.processors {
+            looks.add(&format!("u_swap.u_lfb_swap[{number}]."), ["frame"]);
+        }
         Merging {
             followed,
             background,
@@ -60,12 +102,14 @@ impl Merging {
             banks: Banks {
                 merge_clocks: swap.merge_clocks,
                 way: swap.way,
-                frames: (0..machine.processors).map(|it| format!("u_swap.u_lfb_swap[{it}].frame")).collect(),
+                processors: machine.processors as usize,
                 filled: 0,
                 next: 0,
                 since: 0,
                 way_left: swap.way,
             },
+            looks,
+            scans: (0..machine.processors).map(Scanned::new).collect(),
             rounds: Vec::new(),
             scanned: 0,
             scan: None,
@@ -89,8 +133,9 @@ impl Merging {
     pub fn look(&mut self, sim: &mut Sim, clock: u64, (drawing, told): (&mut [Drawing], &mut Told)) {
         self.clock = clock + 1;
         let edge = merge(clock + 1);
-        let restart = net(sim, "u_gfb.u_sequencer.restart") == 1;
-        let (seen, expected) = (Scan::seen(sim), self.sequencer.scan(restart));
+        self.looks.look(sim);
+        let restart = self.looks.at(0) == 1;
+        let (seen, expected) = (Scan::seen(self.looks.from(1)), self.sequencer.scan(restart));
         if seen != expected {
             told.check("sequencer", 0, false, || {
                 let pairs = seen.values().into_iter().zip(expected.values());
@@ -125,29 +170,30 @@ impl Merging {
             round.look(sim, edge, (drawing, &self.swapped));
             self.rounds.push(round);
         }
-        if self.banks.look(sim, edge, (seen.enable, restart), told) {
+        if self.banks.look(&self.looks, edge, (seen.enable, restart), told) {
             self.frames = self.frames.saturating_sub(1);
         }
     }
 
     /// Looks at one of the scan counters, in each clock at another one.
-    fn counts(&self, sim: &mut Sim, edge: Edge, told: &mut Told) {
+    fn counts(&mut self, sim: &mut Sim, edge: Edge, told: &mut Told) {
         self.count(sim, edge, edge.number % u64::from(self.processors), told);
     }
 
     /// Looks at all scan counters where the run failed, unless it was before their first clock.
-    pub fn fails(&self, sim: &mut Sim, told: &mut Told) {
+    pub fn fails(&mut self, sim: &mut Sim, told: &mut Told) {
         let processors = if self.scan.is_some() { self.processors } else { 0 };
         (0..processors).for_each(|number| self.count(sim, merge(self.clock), number.into(), told));
     }
 
-    fn count(&self, sim: &mut Sim, edge: Edge, number: u64, told: &mut Told) {
+    fn count(&mut self, sim: &mut Sim, edge: Edge, number: u64, told: &mut Told) {
         let scanned = self.scanned;
         let [width, pixels] = [self.screen.width, self.screen.pixels()].map(u64::from);
         let behind = u64::from(STAGES) * number;
         let pixel = (scanned + pixels - behind % pixels) % pixels;
-        let names = ["pixel_x", "pixel_y", "armed"].map(|it| format!("u_lfb[{number}].u_scan_counter.{it}"));
-        let values = [0, 1, 2].map(|i| net(sim, &names[i]));
+        let Scanned { counter: names, looks, .. } = &mut self.scans[number as usize];
+        looks.look(sim);
+        let values = looks.from(0);
         let expected = [pixel % width, pixel / width, u64::from(scanned >= behind)];
         if values != expected {
             told.check("scan counter", 0, false, || {
@@ -160,31 +206,21 @@ impl Merging {
     }
 
     /// Looks at the control of the scan in one of the units, in each clock in another one.
-    fn wires(&self, sim: &mut Sim, edge: Edge, scan: Scan, told: &mut Told) {
+    fn wires(&mut self, sim: &mut Sim, edge: Edge, scan: Scan, told: &mut Told) {
         let number = (edge.number % u64::from(self.processors)) as u32;
         let screen = self.screen;
         let preset = ScanCounter::preset(screen, number);
-        let unit = |path: &str| format!("{}.{path}", format_args!("u_lfb[{number}]"));
-        let wires = [
-            ("vc1", unit("scan_restart"), u64::from(scan.restart)),
-            ("vc1", unit("scan_enable"), scan.enable.into()),
-            ("vc1", unit("preset_x"), preset.x),
-            ("vc1", unit("preset_y"), preset.y),
-            ("lfb-unit", unit("u_scan_counter.scan_restart"), scan.restart.into()),
-            ("lfb-unit", unit("u_scan_counter.scan_enable"), scan.enable.into()),
-            ("lfb-unit", unit("u_scan_counter.preset_x"), preset.x),
-            ("lfb-unit", unit("u_scan_counter.preset_y"), preset.y),
-            ("lfb-unit", unit("u_image_memory.send_enable"), scan.enable.into()),
-            ("lfb-unit", unit("u_patch_table.scan_enable"), scan.enable.into()),
-            ("vc1", "u_merger.enable".to_owned(), scan.enable.into()),
-            ("image-merger", format!("u_merger.u_merging_unit[{number}].enable"), scan.enable.into()),
-        ];
-        for (block, name, expected) in wires {
-            let value = net(sim, &name);
+        let [restart, enable] = [scan.restart, scan.enable].map(u64::from);
+        let [x, y] = [preset.x, preset.y];
+        let expected = [restart, enable, x, y, restart, enable, x, y, enable, enable, enable, enable];
+        let Scanned { wires, looks, .. } = &mut self.scans[number as usize];
+        looks.look(sim);
+        for (((block, name), value), expected) in wires.iter().zip(&looks.values()[3..]).zip(expected) {
+            let value = *value;
             if value != expected {
                 told.check("scan wire", 0, false, || {
                     let at = At { unit: format!("wire to `{name}`"), block, edge };
-                    at.step("brings the control of the scan", vec![compared("value", value, expected)]).on(&name)
+                    at.step("brings the control of the scan", vec![compared("value", value, expected)]).on(name)
                 });
                 return;
             }
@@ -194,14 +230,14 @@ impl Merging {
 
 impl Banks {
     /// Returns whether a frame goes on display.
-    fn look(&mut self, sim: &mut Sim, edge: Edge, (enable, restart): (bool, bool), told: &mut Told) -> bool {
-        while self.frames.get(self.next).is_some_and(|frame| net(sim, frame) != u64::from(self.filled)) {
+    fn look(&mut self, nets: &Looks, edge: Edge, (enable, restart): (bool, bool), told: &mut Told) -> bool {
+        let [blanking, swap] = nets.from(7).map(|bit| bit == 1);
+        while self.next < self.processors && nets.at(9 + self.next) != u64::from(self.filled) {
             self.next += 1;
         }
-        let all = self.next == self.frames.len();
+        let all = self.next == self.processors;
         let is_merged = all && self.since >= self.merge_clocks && self.way_left == 0;
-        let expected = is_merged && net(sim, "u_gfb.blanking") == 1;
-        let swap = net(sim, "u_swap.u_gfb_swap.swap") == 1;
+        let expected = is_merged && blanking;
         if swap || swap != expected {
             told.check("banks", 0, swap, || {
                 let values = vec![compared("swap", yes(swap), yes(expected))];

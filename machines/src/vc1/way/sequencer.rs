@@ -3,8 +3,6 @@
 use tilewright_rtl::gfb::SCAN_LATENCY;
 use tilewright_rtl::vc1::Vc1;
 
-use super::{Sim, net};
-
 /// The part of the scan that it is in.
 #[derive(Clone, Copy, PartialEq)]
 enum Part {
@@ -42,29 +40,21 @@ pub(super) struct Scan {
 }
 
 impl Scan {
-    /// The hardware's.
-    pub fn seen(sim: &mut Sim) -> Scan {
-        let mut of = |name| net(sim, name);
-        Scan {
-            restart: of("u_gfb.u_sequencer.scan_restart") == 1,
-            enable: of("u_gfb.u_sequencer.scan_enable") == 1,
-            feed: of("u_gfb.u_sequencer.feed") as u32,
-            blank: of("u_gfb.u_sequencer.blank") == 1,
-            stores: of("u_gfb.u_sequencer.stores") == 1,
-            store: of("u_gfb.u_sequencer.store") as u32,
-        }
+    /// The names of the outputs in the hardware.
+    pub const NETS: [&str; 6] = ["scan_restart", "scan_enable", "feed", "blank", "stores", "store"];
+
+    /// The hardware's, from these values of the nets.
+    pub fn seen([restart, enable, feed, blank, stores, store]: [u64; 6]) -> Scan {
+        let ([restart, enable, blank, stores], [feed, store]) =
+            ([restart, enable, blank, stores].map(|bit| bit == 1), [feed, store].map(|number| number as u32));
+        Scan { restart, enable, feed, blank, stores, store }
     }
 
     /// Its values by name.
     pub fn values(&self) -> [(&'static str, u32); 6] {
-        [
-            ("scan_restart", self.restart.into()),
-            ("scan_enable", self.enable.into()),
-            ("feed", self.feed),
-            ("blank", self.blank.into()),
-            ("stores", self.stores.into()),
-            ("store", self.store),
-        ]
+        let Scan { restart, enable, feed, blank, stores, store } = *self;
+        let values = [restart.into(), enable.into(), feed, blank.into(), stores.into(), store];
+        std::array::from_fn(|at| (Scan::NETS[at], values[at]))
     }
 }
 

@@ -4,6 +4,7 @@ use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::Vc1;
 
 use super::{Sim, net, pe};
+use crate::looks::Looks;
 use crate::told::{At, Told, compared, yes};
 
 /// Clocks within which the line rises once all have drawn: the bus notes that its queues are empty.
@@ -21,7 +22,6 @@ pub(super) struct Swaps {
 }
 
 /// A local frame buffer.
-#[derive(Clone)]
 struct Local {
     /// Its last swap.
     swapped: Option<u64>,
@@ -30,20 +30,22 @@ struct Local {
     /// The line was high before the last edge.
     halted: bool,
     nets: [String; 4],
+    /// The swap as it is said, and as it comes.
+    looks: Looks,
 }
 
 impl Swaps {
     pub fn new(machine: &Vc1) -> Swaps {
-        let local = |number| Local {
-            swapped: None,
-            cleared: 0,
-            halted: false,
-            nets: [
+        let local = |number| {
+            let nets = [
                 format!("u_swap.u_lfb_swap[{number}].swap"),
                 format!("u_lfb[{number}].swap"),
                 format!("u_swap.u_lfb_swap[{number}].ready"),
                 format!("u_swap.u_lfb_swap[{number}].state"),
-            ],
+            ];
+            let mut looks = Looks::default();
+            looks.add("", nets[..2].iter().map(|it| &**it));
+            Local { swapped: None, cleared: 0, halted: false, nets, looks }
         };
         Swaps {
             merge_clocks: machine.lfb_swap().merge_clocks,
@@ -61,8 +63,9 @@ impl Swaps {
 
     /// Looks at the line and at swaps before an edge. `done` is given if the bus has delivered all words and all programs have drawn.
     pub fn before(&mut self, sim: &mut Sim, clock: u64, done: bool, told: &mut Told) {
-        for (number, local) in (0..).zip(&self.processors).filter(|(_, it)| it.halted) {
-            let [said, came] = [0, 1].map(|i| net(sim, &local.nets[i]));
+        for (number, local) in (0..).zip(&mut self.processors).filter(|(_, it)| it.halted) {
+            local.looks.look(sim);
+            let [said, came] = local.looks.from(0);
             if said != came {
                 told.check("swap wire", number, false, || {
                     let at = At { unit: format!("swap wire of PE {number}"), block: "vc1", edge: pe(clock) };

@@ -3,6 +3,7 @@
 use tilewright_rtl::vc1::Vc1;
 
 use super::{Sim, pe};
+use crate::looks::Looks;
 use crate::told::{At, Told, compared};
 
 /// Clocks between two looks at wires, after the first ones. A wire that is wrong is wrong most of the time.
@@ -13,26 +14,30 @@ const FIRST: u64 = 256;
 /// A wire: the block that it is in, its end, and where it comes from.
 type Wire = (&'static str, String, String);
 
-/// The wires of a machine: those of each processing element, and all others.
-pub(super) struct Wires {
-    of_each: Vec<Vec<Wire>>,
-    others: Vec<Wire>,
+/// Wires that are looked at together.
+struct Bundle {
+    wires: Vec<Wire>,
+    /// The end and the beginning of each.
+    looks: Looks,
 }
 
-impl Wires {
-    pub fn new(machine: &Vc1) -> Wires {
-        Wires { of_each: (0..machine.processors).map(of_processor).collect(), others: others() }
+/// The wires of a machine: those of each processing element, and all others.
+pub(super) struct Wires {
+    of_each: Vec<Bundle>,
+    others: Bundle,
+}
+
+impl Bundle {
+    fn of(wires: Vec<Wire>) -> Bundle {
+        let mut looks = Looks::default();
+        looks.add("", wires.iter().flat_map(|(_, end, begin)| [end.as_str(), begin]));
+        Bundle { wires, looks }
     }
 
-    /// Looks at the wires of a processing element, each time of another one.
-    pub fn look(&self, sim: &mut Sim, clock: u64, told: &mut Told) {
-        if clock > FIRST && !clock.is_multiple_of(EVERY) {
-            return;
-        }
-        let count = self.of_each.len() as u64;
-        let number = (if clock > FIRST { clock / EVERY } else { clock }) % count;
-        for (block, end, begin) in self.of_each[number as usize].iter().chain(&self.others) {
-            let [came, went] = [end, begin].map(|name| super::net(sim, name));
+    fn look(&mut self, sim: &mut Sim, clock: u64, told: &mut Told) {
+        self.looks.look(sim);
+        for ((block, end, begin), values) in self.wires.iter().zip(self.looks.values().chunks_exact(2)) {
+            let [came, went] = [values[0], values[1]];
             if came != went {
                 told.check("wire", 0, false, || {
                     let at = At { unit: format!("wire to `{end}`"), block, edge: pe(clock) };
@@ -41,11 +46,30 @@ impl Wires {
             }
         }
     }
+}
+
+impl Wires {
+    pub fn new(machine: &Vc1) -> Wires {
+        let of_each = (0..machine.processors).map(|number| Bundle::of(of_processor(number))).collect();
+        Wires { of_each, others: Bundle::of(others()) }
+    }
+
+    /// Looks at the wires of a processing element, each time of another one.
+    pub fn look(&mut self, sim: &mut Sim, clock: u64, told: &mut Told) {
+        if clock > FIRST && !clock.is_multiple_of(EVERY) {
+            return;
+        }
+        let count = self.of_each.len() as u64;
+        let number = (if clock > FIRST { clock / EVERY } else { clock }) % count;
+        self.of_each[number as usize].look(sim, clock, told);
+        self.others.look(sim, clock, told);
+    }
 
     /// The names of all nets at the ends of wires.
     #[cfg(test)]
     fn names(&self) -> impl Iterator<Item = &String> {
-        self.of_each.iter().flatten().chain(&self.others).flat_map(|(_, end, begin)| [end, begin])
+        let wires = self.of_each.iter().chain([&self.others]).flat_map(|it| &it.wires);
+        wires.flat_map(|(_, end, begin)| [end, begin])
     }
 }
 
@@ -147,7 +171,7 @@ mod tests {
     fn a_machine_has_all_of_them_and_none_is_wrong() {
         let config = Config { processors: 2, ..Config::new(Size::new(16, 12).unwrap()) };
         let machine = config.hardware().unwrap();
-        let (mut sim, wires) = (Simulation::of(&machine).unwrap(), Wires::new(&machine));
+        let (mut sim, mut wires) = (Simulation::of(&machine).unwrap(), Wires::new(&machine));
         sim.reset();
         let unknown: Vec<String> =
             wires.names().filter_map(|name| sim.peek(name).err()).map(|it| it.to_string()).collect();

@@ -121,7 +121,11 @@ impl Compiled {
     #[inline]
     pub(in crate::engine) fn quick_edge(&mut self) -> bool {
         let code = match (std::mem::take(&mut self.looked), self.again) {
-            (true, Some(code)) => code,
+            (true, Some(code)) => {
+                // It refreshes the view that is looked at, and nothing else.
+                self.age_glances();
+                code
+            }
             (true, None) => return self.edge_after_look(),
             (false, _) => match self.begin_edge() {
                 Some(code) => code,

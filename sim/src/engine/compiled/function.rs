@@ -192,6 +192,11 @@ impl<'a> Maker<'a> {
         }
     }
 
+    /// Adds an effect.
+    pub fn add_sink(&mut self, sink: Sink) {
+        self.function.sinks.push(sink);
+    }
+
     /// The kind of a value of the function.
     pub fn kind(&self, id: ValueId) -> &Kind {
         &self.function.cell(id).kind

@@ -13,6 +13,7 @@ mod emitter;
 mod evaluate;
 mod explain;
 mod function;
+mod glance;
 mod idle;
 mod kernel;
 mod lanes;
@@ -54,6 +55,8 @@ use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
 use evaluate::Functions;
 pub(super) use explain::explain;
+use glance::Glance;
+pub(crate) use glance::{Limb, Limbs};
 use idle::Idle;
 use layout::{Layout, Place};
 use look::Looks;
@@ -126,6 +129,7 @@ pub(crate) struct Compiled {
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: Vec<View>,
     looks: Looks,
+    glances: Vec<Glance>,
     /// Somebody has looked at a computed value since the last edge.
     looked: bool,
     /// A view that is certainly up to date, or none: the usual look needs only this check.
@@ -211,6 +215,7 @@ impl Compiled {
             checks: Vec::new(),
             views: Vec::new(),
             looks: Looks::default(),
+            glances: Vec::new(),
             looked: false,
             fresh: NO_VIEW,
             again: None,
@@ -407,6 +412,10 @@ impl Engine for Compiled {
 
     fn watch(&mut self, values: &[ValueId]) {
         self.show(values);
+    }
+
+    fn glance(&mut self, limbs: &Limbs, numbers: &mut [u64]) -> bool {
+        self.glance_at(limbs, numbers)
     }
 
     fn take_in_rows(&mut self, values: &[ValueId]) -> Option<usize> {

@@ -212,6 +212,7 @@ impl Compiled {
             for view in &mut self.views {
                 view.stale |= view.triggers.meet(pending);
             }
+            self.age_glances();
         }
     }
 

@@ -50,7 +50,9 @@ impl Observer<'_> {
             let [seen, right] = words.map(shown);
             let what = if is_edge { "sign" } else { "value" };
             let does = format!("evaluates the expression of {operation}");
-            let step = self.units[2].step_at("value", clock, number, does, vec![compared(what, seen, Some(right))]);
+            let mut values = vec![compared("coefficients", self.coefficients(taken), None)];
+            values.push(compared(what, seen, Some(right)));
+            let step = self.units[2].step_at("value", clock, number, does, values);
             self.steps.push(step);
         }
         let memory = self.memory(sim);
@@ -87,6 +89,16 @@ impl Observer<'_> {
                 false => pixel.word(fields::RGB.new_value().address.into(), 24),
             };
         }
+    }
+
+    /// The coefficients of an expression, as an engineer writes it.
+    fn coefficients(&self, taken: &Taken) -> String {
+        let signed = |number: u64| (number << 24) as i64 >> 24;
+        let it = &taken.instruction.coefficients;
+        let [a, b, c] = [it.a, it.b, it.c].map(signed);
+        let [d, e, f] = taken.curve.map(signed);
+        let quadratic = if self.quadratic { format!(" {d:+} x x {e:+} x y {f:+} y y") } else { String::new() };
+        format!("{a} x {b:+} y {c:+}{quadratic}")
     }
 
     /// The step of an error that nothing told before.

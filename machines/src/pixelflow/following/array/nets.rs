@@ -6,13 +6,14 @@ use tilewright_rtl::pixelflow::array::PixelArray;
 
 use super::super::commands::{CONTROL, Commands, FIELDS, NETS};
 use super::{ArrayObserver, Place, Registers};
-use crate::trail::{Looks, Trail, Unit};
+use crate::looks::Looks;
+use crate::trail::{Trail, Unit};
 
 /// A clock of the array takes two ticks of the network, of 5 ns each.
 const CLOCK: (&str, u64) = ("array", 10_000);
 /// The banks of registers and their instances: two of the network, and the texture unit's.
 const BANKS: [(&str, usize, usize); 3] = [("u_bank0", 256, 32), ("u_bank1", 288, 32), ("u_texture", 320, 64)];
-const OF_BANK: [&str; 7] = ["read", "write", "port_pixel", "port_address", "port_writes", "writes", "result"];
+const OF_BANK: [&str; 5] = ["read", "write", "port_pixel", "port_address", "port_writes"];
 const OF_PIXEL: [&str; 8] =
     ["expression", "register_byte", "result", "writes_register", "accumulator", "carry", "flag", "enable"];
 
@@ -30,7 +31,7 @@ impl ArrayObserver {
             unit(&format!("pixel ({x}, {y})"), "pixelflow-pixel", &pixel),
             unit("array", "pixel-array", ""),
         ];
-        let mut looks = Looks::default();
+        let (mut looks, mut ports) = (Looks::default(), Looks::default());
         let controller = looks.add("u_controller.", FIELDS.into_iter().chain(NETS));
         let control = looks.add("u_controller.", CONTROL);
         let lanes = looks.add(&pixel, CONTROL);
@@ -42,12 +43,10 @@ impl ArrayObserver {
         let mut banks = Vec::new();
         for ((instance, first, bytes), number) in BANKS.into_iter().zip(0..) {
             let path = format!("{instance}.");
-            let nets = looks.add(&path, OF_BANK[..5].iter().copied());
-            looks.add(
-                &path,
-                [format!("writes{lane}"), format!("result{lane}"), format!("word{lane}")].iter().map(|it| &**it),
-            );
-            looks.add(&path, [format!("port_bytes{chip}"), format!("seen{chip}")].iter().map(|it| &**it));
+            let of_pixel = ["writes", "result", "word"].map(|net| format!("{net}{lane}"));
+            let of_chip = ["port_bytes", "seen"].map(|net| format!("{net}{chip}"));
+            let names = || OF_BANK.into_iter().chain(of_pixel.iter().chain(&of_chip).map(String::as_str));
+            let (nets, port) = (looks.add(&path, names()), ports.add(&path, names()));
             let unit = unit(&format!("registers {instance}"), "communication-registers", &path);
             let top = if number < 2 { format!("network_{number}_") } else { "texture_".to_owned() };
             let seen = if number < 2 { format!("network_seen_{number}{chip}") } else { format!("texture_seen{chip}") };
@@ -60,7 +59,7 @@ impl ArrayObserver {
                 pairs.push((what, [nets + inside, outside + out]));
             }
             pairs.push(("seen", [outside + 4, nets + 9]));
-            banks.push(Registers { unit, first, bytes: vec![0; bytes], memory: None, written: [0; 2], nets });
+            banks.push(Registers { unit, first, bytes: vec![0; bytes], memory: None, written: [0; 2], nets, port });
         }
         let outside =
             looks.add("", ["instructions_valid", "bank_done", "texture_done", "side_by_side", "instructions_ready"]);
@@ -106,6 +105,7 @@ impl ArrayObserver {
             memory: None,
             written: 0,
             looks,
+            ports,
             places: [controller, control, lanes, of_pixel, evaluator, outside],
             pairs,
             told: VecDeque::new(),

@@ -1,0 +1,103 @@
+//! Nets of single lanes that are read together in each clock: each engine gives the same numbers.
+
+use tilewright_hdl::ir::*;
+use tilewright_hdl::{Bits, Design};
+use tilewright_sim::{EngineKind, Simulation};
+
+use crate::circuits::build::Build;
+
+/// Rows and grids that are computed by every operation across lanes; flags that are packed; words of memories; a wide sum. Returns the names of lanes.
+fn machine() -> (Design, Vec<String>) {
+    let b = &mut Build::new("machine");
+    let mut names = Vec::new();
+    let mut name = |of: &str, shape: Shape| match shape {
+        Shape::Plain => names.push(of.to_owned()),
+        Shape::Row(count) => names.extend((0..count).map(|lane| format!("{of}[{lane}]"))),
+        Shape::Grid(rows, columns) => {
+            names.extend((0..rows * columns).map(|at| format!("{of}[{}][{}]", at / columns, at % columns)));
+        }
+    };
+    let step = b.input("step", 8, Shape::Row(6));
+    let starts = (5..11).map(|start| Bits::new(8, start)).collect();
+    let count = b.register("count", 8, Shape::Row(6), Some(Init::Each(starts)));
+    let next = b.add(count, step);
+    b.next(count, None, next);
+    let (rows, columns) = (b.broadcast(count, 1, 6), b.broadcast(next, 0, 6));
+    let sums = b.add(rows, columns);
+    let edge = b.constant(8, 77, Shape::Plain);
+    let mut computed =
+        vec![("sums", sums), ("left", b.previous(next, 0, edge)), ("both", b.interleave(&[count, next], 0))];
+    computed.push(("pair", b.stack(&[next, step], 1)));
+    for (name, by) in [
+        ("and", Reduction::And),
+        ("or", Reduction::Or),
+        ("xor", Reduction::Xor),
+        ("sum", Reduction::Add),
+        ("least", Reduction::Min),
+        ("most", Reduction::Max),
+    ] {
+        computed.push((name, b.reduce(by, sums, 1)));
+    }
+    let packed = b.pack(next, 0);
+    computed.push(("nibbles", b.unpack(packed, 0, 12)));
+    computed.push(("packed", packed));
+    let zero = b.constant(8, 2, Shape::Row(6));
+    let index = b.and(count, zero);
+    computed.push(("picked", b.pick(sums, 1, index)));
+    computed.push(("fourth", b.lane(sums, 0, 3)));
+    // Enough flags to be packed into words.
+    let begin = (0..70).map(|lane| Bits::new(1, lane % 3 % 2)).collect();
+    let flags = b.register("flags", 1, Shape::Row(70), Some(Init::Each(begin)));
+    let one = b.constant(1, 1, Shape::Plain);
+    let moved = b.previous(flags, 0, one);
+    let mixed = b.xor(flags, moved);
+    b.next(flags, None, mixed);
+    computed.push(("mixed", mixed));
+    let wide = b.register("wide", 70, Shape::Row(6), None);
+    let lowest = b.constant(70, 0x3fff_ffff_ffff, Shape::Row(6));
+    let wider = b.add(wide, lowest);
+    b.next(wide, None, wider);
+    computed.push(("wider", wider));
+    let memory = b.memory("words", 4, 8, Shape::Row(6));
+    let (address, always) = (b.constant(2, 1, Shape::Plain), b.constant(1, 1, Shape::Plain));
+    b.write(memory, always, address, count);
+    computed.push(("word", b.read(memory, false, address, None)));
+    for (of, node) in computed {
+        name(of, b.shape(node));
+        let node = b.named(of, node);
+        b.output(&format!("{of}_out"), node);
+    }
+    name("count", Shape::Row(6));
+    name("flags", Shape::Row(70));
+    (Design::new(vec![b.module.clone()]).unwrap(), names)
+}
+
+#[test]
+fn lanes_that_are_read_together_are_those_of_the_reference() {
+    let (design, names) = machine();
+    let mut all = [EngineKind::Reference, EngineKind::Compiled].map(|kind| {
+        let mut sim = Simulation::from_design(&design).unwrap().on(kind).seeded(7);
+        sim.reset();
+        let nets = sim.nets(&names).unwrap();
+        let numbers = vec![0; nets.count()];
+        (sim, nets, numbers)
+    });
+    // All but the wide ones take one number.
+    assert_eq!(all[0].1.count(), names.len() + 6);
+    for clock in 0..12_u64 {
+        for (sim, nets, numbers) in &mut all {
+            let step = sim.port("step").unwrap();
+            sim.set(step, Bits::new(48, clock.wrapping_mul(0x9e37_79b9_7f4a) & 0xffff_ffff_ffff));
+            sim.numbers(nets, numbers);
+        }
+        let [(_, _, reference), (_, _, compiled)] = &all;
+        assert_eq!(compiled, reference, "in clock {clock} of {names:?}");
+        // A second look is the same.
+        let (sim, nets, numbers) = &mut all[1];
+        let before = numbers.clone();
+        sim.numbers(nets, numbers);
+        assert_eq!(*numbers, before);
+        all.iter_mut().for_each(|(sim, ..)| sim.step());
+    }
+    assert!(all[0].2.iter().any(|number| *number > 255));
+}
