@@ -266,7 +266,7 @@ fn a_panic_leaves_the_terminal_as_it_was() {
     let settings = ["before", "after"].map(|name| std::fs::read_to_string(folder.path().join(name)).unwrap());
     assert_eq!(settings[0], settings[1]);
     // The sentence comes after the page is left, so that it can be read.
-    let (_, after) = text.rsplit_once("\u{1b}[?1049l").unwrap();
+    let (_, after) = text.split_once("\u{1b}[?1049l").unwrap();
     assert!(
         text.contains("\u{1b}[?1049h") && after.contains("error: this is a mistake in tilewright at src/debug/"),
         "{text}"
