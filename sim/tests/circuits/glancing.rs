@@ -29,9 +29,9 @@ fn machine() -> (Design, Vec<String>) {
         vec![("sums", sums), ("left", b.previous(next, 0, edge)), ("both", b.interleave(&[count, next], 0))];
     computed.push(("pair", b.stack(&[next, step], 1)));
     for (name, by) in [
-        ("and", Reduction::And),
-        ("or", Reduction::Or),
-        ("xor", Reduction::Xor),
+        ("all_of", Reduction::And),
+        ("any_of", Reduction::Or),
+        ("odd_of", Reduction::Xor),
         ("sum", Reduction::Add),
         ("least", Reduction::Min),
         ("most", Reduction::Max),
@@ -40,7 +40,7 @@ fn machine() -> (Design, Vec<String>) {
     }
     let packed = b.pack(next, 0);
     computed.push(("nibbles", b.unpack(packed, 0, 12)));
-    computed.push(("packed", packed));
+    computed.push(("word_of_all", packed));
     let zero = b.constant(8, 2, Shape::Row(6));
     let index = b.and(count, zero);
     computed.push(("picked", b.pick(sums, 1, index)));
@@ -84,10 +84,15 @@ fn lanes_that_are_read_together_are_those_of_the_reference() {
     });
     // All but the wide ones take one number.
     assert_eq!(all[0].1.count(), names.len() + 6);
-    for clock in 0..12_u64 {
+    // Long enough for code of an edge that looks at a port again.
+    for clock in 0..700_u64 {
         for (sim, nets, numbers) in &mut all {
-            let step = sim.port("step").unwrap();
-            sim.set(step, Bits::new(48, clock.wrapping_mul(0x9e37_79b9_7f4a) & 0xffff_ffff_ffff));
+            if clock % 50 == 0 {
+                let step = sim.port("step").unwrap();
+                sim.set(step, Bits::new(48, clock.wrapping_mul(0x9e37_79b9_7f4a) & 0xffff_ffff_ffff));
+            }
+            let port = sim.port("all_of_out").unwrap();
+            sim.get(port);
             sim.numbers(nets, numbers);
         }
         let [(_, _, reference), (_, _, compiled)] = &all;
