@@ -210,6 +210,8 @@ pub use tilewright_hdl::{Bits, Bundle};
 
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
+#[doc(hidden)]
+pub use engine::{Examined, examined};
 pub use testbench::{
     Answer, Batch, Cause, Checkpoint, CheckpointError, Condition, Covered, End, Error, Fst, IntoValue, Limits, Memory,
     Message, Messages, Monitor, Nets, Part, Pauses, Port, Probe, Process, Processes, Recorder, Simulation,

@@ -25,6 +25,8 @@ use tilewright_hdl::Bits;
 
 pub use choice::EngineKind;
 pub(crate) use choice::Started;
+#[doc(hidden)]
+pub use compiled::examined;
 pub(crate) use compiled::{Limb, Limbs, Slot};
 pub use cranelift::Unsupported;
 pub use explain::{Explained, Pass, explain};
@@ -32,6 +34,8 @@ pub use passes::Passes;
 use program::{Memory, Program, Triggers, ValueId};
 pub(crate) use saved::{Saved, fingerprint, for_each_width, state_limbs};
 pub(crate) use start::{Beginning, Given};
+#[doc(hidden)]
+pub use strips::Examined;
 use until::Until;
 
 /// An assertion that fails.

@@ -51,7 +51,7 @@ fn a_loop_over_lanes() {
         r"
         an edge of clk:
         piece 0
-        loop v0 = 0
+        loop v0: i64 = 0
           v1: i64 = add state v0
           v2: i8x16 = load [v1 + 128]              ; q
           v3: i8x16 = add v2 0x01
@@ -70,7 +70,7 @@ fn a_sum_of_lanes_and_a_loop_that_uses_it() {
         r"
         an edge of clk:
         piece 0
-        loop v0 = 0, v1 = 0x00
+        loop v0: i64 = 0, v1: i8x16 = 0x00
           v2: i64 = add state v0
           v3: i8x16 = load [v2 + 128]              ; u_cell.q
           v4: i8x16 = xor v1 v3
@@ -89,7 +89,7 @@ fn a_sum_of_lanes_and_a_loop_that_uses_it() {
         v16: i64 = zero_extend i8 v15
         store i64 [state + 384] v16              ; all
         v17: i8x16 = splat i8 v15
-        loop v18 = 0
+        loop v18: i64 = 0
           v19: i64 = add state v18
           v20: i8x16 = load [v19 + 128]            ; u_cell.q
           v21: i8x16 = and v20 0x1f

@@ -10,4 +10,5 @@ mod matrix;
 mod pitfalls;
 mod recordings;
 mod shown;
+mod strips;
 mod waveforms;

@@ -1,14 +1,18 @@
 //! From a planned function to machine code.
 
+use tilewright_hdl::top_mask;
+
 use super::function::{Function, Sink};
+use super::lanes::ty;
 use super::layout::{Layout, Place, Words};
 use super::plan::Plan;
 use super::scalar::{Scalar, Scalars};
 use super::sequence::Step;
+use super::store::is_mask;
 use super::strip_sizes::StripSizes;
 use super::versions::TableAt;
 use crate::engine::program::{Kind, Lowered, ValueId};
-use crate::engine::strips::{Builder, Comparison, Loop, Type, Value};
+use crate::engine::strips::{Builder, Comparison, Extent, Loop, Type, Value};
 
 /// A memory as code sees it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,6 +45,13 @@ impl MemoryAt {
         let mut limbs = limbs.to_vec();
         limbs[0] ^= self.blank;
         limbs
+    }
+
+    /// Its bank, from its first byte on.
+    pub fn extent(&self) -> Extent {
+        let (first, integer) = (self.first as i64, self.element());
+        let most = if is_mask(self.words.word, self.width) { u64::MAX } else { top_mask(self.width.min(64)) };
+        Extent { start: -first, end: self.words.size as i64 - first, integer, most, is_state: true }
     }
 
     /// Bits of the integers that a word consists of.
@@ -272,6 +283,7 @@ impl<'a, 'b> Emitter<'a, 'b> {
             Kind::Lowered(Lowered::Gather { of, at }) => {
                 self.want(*at);
                 let number = self.scalars.clean(self.builder, *at)[0];
+                let number = self.of_lanes(number, self.function.cell(*at).width, self.function.cell(*of).lanes);
                 self.load_lane(id, *of, number);
             }
             Kind::Lowered(Lowered::Rotate { of, left }) => {
@@ -316,6 +328,15 @@ impl<'a, 'b> Emitter<'a, 'b> {
         }
     }
 
+    /// A number of a lane that exists. It is one already: if its width does not show that, a minimum does.
+    pub(super) fn of_lanes(&mut self, number: Value, width: u32, lanes: u32) -> Value {
+        if top_mask(width) < u64::from(lanes) {
+            return number;
+        }
+        let last = self.builder.constant(Type::I64, i64::from(lanes - 1));
+        self.builder.min(number, last)
+    }
+
     /// Loads the lane with this number of an array in memory.
     pub(super) fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value) {
         if let Kind::Const(bits) = &self.function.cell(of).kind {
@@ -340,7 +361,7 @@ impl<'a, 'b> Emitter<'a, 'b> {
                 let base = emitter.base(place);
                 emitter.builder.add(base, at)
             });
-            let vector = emitter.builder.load(Type::I8X16, source, offset(from.offset));
+            let vector = emitter.builder.load(ty(from.integer()), source, offset(from.offset));
             emitter.builder.store(vector, target, offset(to.offset));
             Vec::new()
         });

@@ -1,8 +1,10 @@
 //! The effect of the passes on the functions for edges, in words.
 
 use std::fmt::Write;
+use std::sync::Arc;
 
 use tilewright_hdl::Bits;
+use tilewright_hdl::ir::Design;
 
 use super::emitter::{Addresses, Emitter, MemoryAt};
 use super::function::{Function, Held, Maker, Sink};
@@ -12,10 +14,11 @@ use super::plan::{Kernel, Plan};
 use super::sequence::Step;
 use super::strip_sizes::StripSizes;
 use super::units::{From, Part, Split, Units, split};
-use super::{bank, held_inputs};
+use super::{Compiled, bank, held_inputs};
 use crate::engine::explain::{Names, Pass, Text};
-use crate::engine::program::{Program, UnitId, ValueId};
-use crate::engine::strips::{self, Builder, Notes};
+use crate::engine::program::{Program, UnitId, ValueId, compile};
+use crate::engine::strips::{self, Builder, Examined, Notes};
+use crate::engine::{Beginning, Passes};
 
 /// The result of each pass for an edge of each clock.
 pub(in crate::engine) fn explain(program: &Program) -> Vec<(Pass, String)> {
@@ -28,6 +31,24 @@ pub(in crate::engine) fn explain(program: &Program) -> Vec<(Pass, String)> {
         }
     }
     all
+}
+
+/// What the checks find of the functions for each edge and of those for its outputs; none is executed.
+#[doc(hidden)]
+pub fn examined(design: &Design, passes: &Passes) -> Examined {
+    let program = Arc::new(compile(design, passes));
+    let Ok(mut engine) = Compiled::new(program, &Beginning::default(), &Arc::default()) else {
+        return Examined::default();
+    };
+    engine.jit.examined = Some(Examined::default());
+    let clocks: Vec<usize> = (0..engine.program.clocks.len()).collect();
+    let all = (clocks.len() > 1).then_some(clocks.as_slice());
+    for rising in clocks.chunks(1).chain(all) {
+        engine.edge(rising);
+    }
+    let outputs: Vec<ValueId> = engine.program.outputs.iter().map(|port| port.value).collect();
+    engine.show(&outputs);
+    engine.jit.examined.take().expect("it was given")
 }
 
 fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {

@@ -23,7 +23,8 @@ use tilewright_hdl::ir::Unary;
 
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::{Builder, Value};
-use emit::{low_mask, signed_constant, ty, vector_constant};
+pub(super) use emit::ty;
+use emit::{low_mask, signed_constant, vector_constant};
 pub(super) use form::Vector;
 use form::{Form, Need, Step, next};
 pub(super) use memory::Span;

@@ -4,9 +4,14 @@
 //! lanes takes an array with one element for each lane, padded at both ends so that a strip may extend beyond it;
 //! 1-bit values are masks there. Wider values take limbs.
 
-use tilewright_hdl::limbs_for;
+use std::cell::RefCell;
 
+use tilewright_hdl::{limbs_for, top_mask};
+
+use super::emitter::MemoryAt;
+use super::store::is_mask;
 use super::strip_sizes::StripSizes;
+use crate::engine::strips::{Base, Extent, Surroundings, Touched};
 
 /// The least number of bytes before and after an array of lanes that code may access: the largest strip of the widest
 /// element.
@@ -69,12 +74,47 @@ pub(super) struct Layout {
     /// How many bytes are taken.
     pub size: usize,
     pub strips: StripSizes,
+    /// The places by their first byte, with the padding that belongs to each.
+    taken: Vec<Extent>,
+    /// Where the addresses of other memory are, and its bytes.
+    addresses: Vec<(usize, usize)>,
+    /// What is allocated before this byte is changed by edges.
+    state: usize,
 }
 
 impl Layout {
     /// Nothing placed yet.
     pub fn new(strips: StripSizes) -> Layout {
-        Layout { size: 0, strips }
+        Layout { strips, ..Layout::default() }
+    }
+
+    /// What has been allocated so far is changed by edges.
+    pub fn end_of_state(&mut self) {
+        self.state = self.size;
+    }
+
+    /// Numbers in a place are at most this.
+    pub fn limit(&mut self, place: Place, most: u64) {
+        if let Some(index) = self.index(place.offset as i64) {
+            self.taken[index].most = most;
+        }
+    }
+
+    /// A place has the address of other memory of so many bytes.
+    pub fn address(&mut self, place: Place, bytes: usize) {
+        self.addresses.push((place.offset, bytes));
+    }
+
+    fn index(&self, at: i64) -> Option<usize> {
+        self.taken.partition_point(|extent| extent.start <= at).checked_sub(1)
+    }
+
+    fn take(&mut self, first: usize, place: Place) -> Place {
+        // One bit is stored as a mask.
+        let most = if is_mask(place.bytes(), place.width) { u64::MAX } else { top_mask(place.width.min(64)) };
+        let (start, end) = (first as i64, self.size as i64);
+        self.taken.push(Extent { start, end, integer: place.integer(), most, is_state: false });
+        place
     }
 
     /// Aligns the next place, so that the same places after two such calls have the same relative offsets.
@@ -88,14 +128,60 @@ impl Layout {
         if lanes == 1 {
             let place = Place { offset: self.size, element, lanes, width, moves: false };
             self.size += place.bytes();
-            return place;
+            return self.take(place.offset, place);
         }
         let (strip, reach) = (self.strips.strip(lanes), self.strips.reach(lanes));
         let guard = ((strip + reach) as usize * element as usize / 8).next_multiple_of(GUARD);
         let offset = self.size.next_multiple_of(GUARD) + guard;
         let place = Place { offset, element, lanes, width, moves: false };
         self.size = (place.lane(lanes) + guard).next_multiple_of(GUARD);
-        place
+        self.take(offset - guard, place)
+    }
+}
+
+/// The memory of a function.
+pub(super) struct Surrounded<'a> {
+    layout: &'a Layout,
+    memories: &'a [MemoryAt],
+    /// It is called for each of several units.
+    has_units: bool,
+    /// What functions of the same edge have changed.
+    committed: RefCell<Vec<Touched>>,
+}
+
+impl<'a> Surrounded<'a> {
+    pub fn new(layout: &'a Layout, memories: &'a [MemoryAt], has_units: bool) -> Self {
+        Surrounded { layout, memories, has_units, committed: RefCell::default() }
+    }
+}
+
+impl Surroundings for Surrounded<'_> {
+    fn extent(&self, base: Base, at: i64) -> Option<Extent> {
+        let memory = |is_it: &dyn Fn(&MemoryAt) -> bool| Some(self.memories.iter().find(|it| is_it(it))?.extent());
+        match base {
+            Base::State | Base::Unit => {
+                let extent = self.layout.taken[self.layout.index(at)?];
+                Some(Extent { is_state: extent.start < self.layout.state as i64, ..extent })
+            }
+            Base::Known(address) => memory(&|memory| memory.address == address),
+            Base::Stored(offset) => memory(&|memory| memory.table == Some(offset as usize)).or_else(|| {
+                let rows = self.layout.addresses.iter().find(|(at, _)| *at == offset as usize)?;
+                Some(Extent { start: 0, end: rows.1 as i64, integer: 0, most: u64::MAX, is_state: false })
+            }),
+            Base::Scratch => None,
+        }
+    }
+
+    fn has_units(&self) -> bool {
+        self.has_units
+    }
+
+    fn committed(&self) -> Option<&RefCell<Vec<Touched>>> {
+        Some(&self.committed)
+    }
+
+    fn is_address(&self, offset: i64) -> bool {
+        self.extent(Base::Stored(offset), 0).is_some()
     }
 }
 

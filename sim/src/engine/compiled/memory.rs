@@ -93,6 +93,7 @@ impl Emitter<'_, '_> {
         let size = strip.size;
         let read = |lane| {
             let number = self.limbs(strip, from, lane)[0];
+            let number = self.of_lanes(number, self.function.cell(from).width, at.lanes);
             let offset = self.scaled(number, at.words.word);
             let address = self.builder.add(start, offset);
             let word = self.builder.load(kind, address, 0);

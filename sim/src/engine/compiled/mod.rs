@@ -54,6 +54,7 @@ use bank::Bank;
 use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
 use evaluate::Functions;
+pub use explain::examined;
 pub(super) use explain::explain;
 use glance::Glance;
 pub(crate) use glance::{Limb, Limbs};
@@ -181,6 +182,7 @@ impl Compiled {
         let program = Arc::new(program);
         let mut layout = Layout::new(StripSizes::of(&program));
         let (places, apart) = units::places(&program, &mut layout);
+        layout.end_of_state();
         // Generated code skips units.
         let apart = apart.filter(|_| !program.passes.evaluated);
         let unchecked = layout.place(1, 1);

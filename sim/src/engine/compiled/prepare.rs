@@ -3,10 +3,11 @@
 use super::Compiled;
 use super::emitter::{self, Addresses, Emitter, MemoryAt};
 use super::function::{Function, Sink};
-use super::layout::Place;
+use super::layout::{Place, Surrounded};
 use super::passes::{self, Planned};
 use super::plan::Plan;
 use super::sequence::Step;
+use super::store::is_mask;
 use super::strip_sizes::StripSizes;
 use super::units::Guard;
 use super::versions::{TableAt, Versions};
@@ -136,9 +137,10 @@ impl Compiled {
     /// to memories at `wrote`, and get the unit's distance from the first.
     pub(super) fn compile_pieces(&mut self, part: &Prepared, memories: &[MemoryAt], wrote: Option<usize>) -> Vec<Code> {
         let (strips, jit) = (&self.layout.strips, &mut self.jit);
+        let within = Surrounded::new(&self.layout, memories, wrote.is_some());
         let last = part.pieces.len() - 1;
         let piece = |(index, steps): (usize, &Vec<Step>)| {
-            jit.function(|builder, state, argument| {
+            jit.function_in(&within, |builder, state, argument| {
                 let unit = wrote.map(|wrote| (builder.add(state, argument), wrote));
                 let mut emitter = part.emitter(memories, strips, builder, state);
                 if let Some((unit, wrote)) = unit {
@@ -171,7 +173,8 @@ impl Compiled {
         let number = if does_edges { self.number_function() } else { None };
         let memories = memories.as_slice();
         let (strips, unchecked) = (&self.layout.strips, self.unchecked);
-        let code = self.jit.function(|builder, state, count| {
+        let within = Surrounded::new(&self.layout, memories, false);
+        let code = self.jit.function_in(&within, |builder, state, count| {
             if let Some((latest, number)) = number {
                 begin(builder, state, (latest, number), parts);
             }
@@ -181,6 +184,7 @@ impl Compiled {
             let mut changed = Vec::new();
             for (part, pieces) in parts.iter().zip(&pieces) {
                 let before = std::mem::take(&mut changed);
+                builder.then();
                 let held = match pieces.as_slice() {
                     [] => {
                         let mut emitter = part.emitter(memories, strips, builder, state);
@@ -244,6 +248,9 @@ impl Compiled {
                 _ => unreachable!("a table is made of constants"),
             })
             .collect();
+        if place.width <= 64 && !is_mask(place.bytes(), place.width) {
+            self.layout.limit(place, limbs.iter().copied().max().unwrap_or(0));
+        }
         self.state.put(place, &limbs);
     }
 }

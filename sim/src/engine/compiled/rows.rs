@@ -46,6 +46,7 @@ impl Compiled {
             return None;
         }
         let next = self.layout.place(1, 64);
+        self.layout.address(next, 8 * LIMBS);
         self.state.grow(self.layout.size);
         let store = Store::new(8 * LIMBS, self.program.passes.guarded);
         self.rows.push(Rows { values: values.to_vec(), limbs, store, next, asked: 0, code: None });

@@ -1,9 +1,9 @@
 //! Arrays in memory that are assembled: from scalars, from shorter arrays, or from the limbs of a value.
 
 use super::emitter::{Emitter, offset};
+use super::lanes::ty;
 use super::layout::Place;
 use crate::engine::program::{Kind, ValueId};
-use crate::engine::strips::Type;
 
 impl Emitter<'_, '_> {
     /// Stores scalars, or the lanes of shorter arrays, side by side; rows one after another; or the limbs of a value
@@ -51,7 +51,7 @@ impl Emitter<'_, '_> {
     fn copy_row(&mut self, from: Place, to: Place, first: u32) {
         let base = self.base(from);
         for at in (0..from.lanes as usize * from.bytes()).step_by(16) {
-            let vector = self.builder.load(Type::I8X16, base, offset(from.offset + at));
+            let vector = self.builder.load(ty(from.integer()), base, offset(from.offset + at));
             self.builder.store(vector, self.state, offset(to.lane(first) + at));
         }
     }

@@ -18,7 +18,7 @@ use super::Compiled;
 use super::branch::{self, Known};
 use super::emitter::{Addresses, Emitter, offset};
 use super::function::Function;
-use super::layout::{Layout, Place};
+use super::layout::{Layout, Place, Surrounded};
 use super::plan::{Kernel, Plan};
 use super::store::Store;
 use crate::engine::Passes;
@@ -322,7 +322,8 @@ impl Compiled {
         let kernel = versions.version(number, key);
         let Versions { function, plan, addresses, .. } = &*versions;
         let (lanes, memories, strips) = (plan.versioned[number].lanes, &self.memories, &self.layout.strips);
-        let code = self.jit.function(|builder, state, argument| {
+        let within = Surrounded::new(&self.layout, memories, false);
+        let code = self.jit.function_in(&within, |builder, state, argument| {
             Emitter::new(function, plan, addresses, memories, strips, builder, state).kernel(lanes, &kernel);
             builder.give(argument);
         });

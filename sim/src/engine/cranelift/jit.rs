@@ -13,7 +13,7 @@ use super::pages::CodePages;
 use super::shared::SharedCode;
 use super::target::{Unsupported, host};
 use super::translate::{signature, translate};
-use crate::engine::strips::{Builder, Kept, Notes, Program, Type, Value};
+use crate::engine::strips::{Builder, Examined, Kept, Notes, Only, Program, Surroundings, Type, Value};
 
 /// A generated function: takes the addresses of the state and of scratch memory and a number, and returns a number.
 type Entry = unsafe extern "C" fn(*mut u8, u64, *mut u64) -> u64;
@@ -116,6 +116,8 @@ pub(in crate::engine) struct Jit {
     kept: Kept,
     /// The most limbs of scratch memory that a function takes.
     pub scratch: usize,
+    /// Programs are examined, and no code is made of them.
+    pub examined: Option<Examined>,
 }
 
 impl Jit {
@@ -132,34 +134,48 @@ impl Jit {
     /// Prepares for a machine.
     pub fn on(target: OwnedTargetIsa) -> Jit {
         let (made, kept, shared) = (Vec::new(), Kept::new(), Arc::default());
-        Jit { target, context: Context::new(), made, shared, kept, scratch: 0 }
+        Jit { target, context: Context::new(), made, shared, kept, scratch: 0, examined: None }
     }
 
-    /// Makes a function. `body` gets the builder in the entry block, the address of the state and the argument, and
-    /// must end with a return of one number.
+    /// Makes a function in this memory. `body` gets the builder in the entry block, the address of the state and the
+    /// argument, and must end with a return of one number.
     ///
     /// # Panics
     ///
     /// There is no memory for code.
+    pub fn function_in(&mut self, memory: &dyn Surroundings, body: impl FnOnce(&mut Builder, Value, Value)) -> Code {
+        self.try_function(memory, body).unwrap_or_else(|refused| panic!("{refused}"))
+    }
+
+    /// Makes a function that accesses nothing but a state of up to a megabyte.
+    #[cfg(test)]
     pub fn function(&mut self, body: impl FnOnce(&mut Builder, Value, Value)) -> Code {
-        self.try_function(body).unwrap_or_else(|refused| panic!("{refused}"))
+        self.function_in(&Only(1 << 20), body)
     }
 
     /// Makes a function that calls the function at an address, with a number, the address of the state and the
     /// argument.
     pub fn calling(&mut self, address: usize, number: i64) -> Code {
-        self.function(|builder, state, argument| {
+        self.function_in(&Only(0), |builder, state, argument| {
             let number = builder.constant(Type::ADDRESS, number);
             let left = builder.call(address, &[number, state, argument]);
             builder.give(left);
         })
     }
 
-    fn try_function(&mut self, body: impl FnOnce(&mut Builder, Value, Value)) -> Result<Code, Unsupported> {
+    fn try_function(
+        &mut self,
+        memory: &dyn Surroundings,
+        body: impl FnOnce(&mut Builder, Value, Value),
+    ) -> Result<Code, Unsupported> {
         let mut builder = Builder::new();
         let [state, argument, _] = Program::PARAMETERS;
         body(&mut builder, state, argument);
         let (program, kept) = builder.finish();
+        if let Some(examined) = &mut self.examined {
+            examined.add(&program, memory);
+            return Ok(Code { entry: nothing, stack: 0 });
+        }
         if cfg!(debug_assertions)
             && let Err(rule) = program.verify()
         {
@@ -181,6 +197,11 @@ impl Jit {
         self.made.push(made);
         Ok(code)
     }
+}
+
+/// In place of code that is not made.
+extern "C" fn nothing(_: *mut u8, _: u64, _: *mut u64) -> u64 {
+    0
 }
 
 /// Begins a function.
@@ -218,7 +239,7 @@ pub(in crate::engine) fn unsupported() -> Option<Unsupported> {
     static REFUSED: OnceLock<Option<Unsupported>> = OnceLock::new();
     let try_one = || {
         let returning = |b: &mut Builder, _, argument| b.give(argument);
-        Jit::new().and_then(|mut jit| jit.try_function(returning)).err()
+        Jit::new().and_then(|mut jit| jit.try_function(&Only(0), returning)).err()
     };
     REFUSED.get_or_init(try_one).clone()
 }

@@ -115,6 +115,7 @@ impl Translator<'_, '_> {
                 self.ins().brif(flag, next, &[], leave, &results);
                 self.switch_to(next);
             }
+            Statement::Then => {}
             Statement::Return(value) => {
                 let value = self.of(*value);
                 self.ins().return_(&[value]);

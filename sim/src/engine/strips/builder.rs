@@ -45,8 +45,13 @@ impl Builder {
         &self.program.values[value.index()].0
     }
 
+    /// The program as it was recorded.
+    pub(super) fn whole(self) -> Program {
+        self.program
+    }
+
     /// Adds a step.
-    fn push(&mut self, statement: Statement) {
+    pub(super) fn push(&mut self, statement: Statement) {
         self.program.body.push(statement);
     }
 
@@ -219,6 +224,11 @@ impl Builder {
     /// Leaves the loop in whose body this is if a flag is zero.
     pub fn leave_unless(&mut self, flag: Value, results: &[Value]) {
         self.push(Statement::LeaveUnless { flag, results: results.to_vec() });
+    }
+
+    /// What follows reads what has been changed so far.
+    pub fn then(&mut self) {
+        self.push(Statement::Then);
     }
 
     /// Ends the function.

@@ -105,6 +105,7 @@ impl Run<'_, '_, '_> {
                     return Ok(Next::Left(self.all(results)));
                 }
             }
+            Statement::Then => {}
             Statement::Return(value) => return Ok(Next::Returned(self.number(*value))),
         }
         Ok(Next::Statement)

@@ -3,20 +3,31 @@
 //! It is straight-line code in regions: loops, choices and what runs only if a flag is 1. Loads and stores name an address and an offset. The machine
 //! that runs it is described elsewhere; here vectors have 128 bits.
 
+mod bounds;
 mod builder;
 #[cfg(test)]
+mod checks;
+mod commits;
+#[cfg(test)]
 mod evaluate;
+mod examined;
 mod methods;
+mod names;
 mod operation;
+mod parse;
 mod program;
+mod settled;
 mod text;
 mod unused;
 mod value;
 mod verify;
 
+pub(super) use bounds::{Base, Extent, Only, Surroundings};
 pub(super) use builder::{Builder, Kept};
+pub(super) use commits::Touched;
 #[cfg(test)]
 pub(super) use evaluate::Memory;
+pub use examined::Examined;
 pub(super) use operation::{Binary, Comparison, Load, Operation, Unary};
 pub(super) use program::{Loop, Program, Region, Statement};
 pub(super) use text::Notes;

@@ -55,6 +55,24 @@ impl Operation {
             }
         }
     }
+
+    /// Replaces the values that it uses.
+    pub fn rewrite(&mut self, mut operand: impl FnMut(Value) -> Value) {
+        let mut change = |value: &mut Value| *value = operand(*value);
+        match self {
+            Operation::Parameter | Operation::Constant(_) | Operation::Address(_) | Operation::Bytes(_) => {}
+            Operation::Unary(_, of) | Operation::Lane(of, _) | Operation::Load { address: of, .. } => change(of),
+            Operation::Binary(_, x, y)
+            | Operation::Compare(_, x, y)
+            | Operation::Shuffle(x, y, _)
+            | Operation::WithLane(x, y, _) => [x, y].into_iter().for_each(change),
+            Operation::Select(x, y, z) | Operation::Blend(x, y, z) => [x, y, z].into_iter().for_each(change),
+            Operation::Call(function, arguments) => {
+                change(function);
+                arguments.iter_mut().for_each(change);
+            }
+        }
+    }
 }
 
 /// How a load fills its type.

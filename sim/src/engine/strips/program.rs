@@ -63,6 +63,8 @@ pub(in crate::engine) enum Statement {
         flag: Value,
         results: Vec<Value>,
     },
+    /// Ends a part: what follows reads what it has changed.
+    Then,
     /// Ends the function.
     Return(Value),
 }

@@ -1,10 +1,11 @@
 //! A strip program in lines.
 
-use std::fmt::{self, Display, Write};
+use std::fmt::Write;
 
 use rustc_hash::FxHashMap;
 
-use super::operation::{Binary, Comparison, Load, Operation, Unary};
+use super::names::{BINARIES, COMPARISONS, LOADS, STORES, UNARIES, name};
+use super::operation::{Binary, Operation};
 use super::program::{Loop, Program, Statement};
 use super::value::{Type, Value};
 
@@ -24,6 +25,11 @@ impl Notes<'_> {
 impl Program {
     /// The program, a line for each statement. Constants stand where they are used; values are numbered in the sequence of their lines.
     pub fn text(&self, notes: &Notes) -> String {
+        self.text_and_addresses(notes).0
+    }
+
+    /// The same, and the address behind each number.
+    pub fn text_and_addresses(&self, notes: &Notes) -> (String, Vec<usize>) {
         let mut text = Text {
             program: self,
             notes,
@@ -35,8 +41,14 @@ impl Program {
         for (value, name) in Program::PARAMETERS.into_iter().zip(["state", "argument", "scratch"]) {
             text.values.insert(value, name.to_owned());
         }
+        if self.scratch > 0 {
+            text.line(&format!("scratch {}", self.scratch), None);
+        }
+        if self.stack_of_called > 0 {
+            text.line(&format!("stack {}", self.stack_of_called), None);
+        }
         text.region(&self.body);
-        text.out
+        (text.out, text.addresses)
     }
 }
 
@@ -54,7 +66,7 @@ struct Text<'p> {
 
 impl Text<'_> {
     fn line(&mut self, line: &str, note: Option<String>) {
-        let indent = "  ".repeat(self.depth);
+        let (indent, line) = ("  ".repeat(self.depth), line.trim_end());
         let _ = match note {
             Some(note) => writeln!(self.out, "{indent}{line:<40} ; {note}"),
             None => writeln!(self.out, "{indent}{line}"),
@@ -76,6 +88,11 @@ impl Text<'_> {
         let name = format!("v{}", self.values.len() - Program::PARAMETERS.len());
         self.values.insert(value, name.clone());
         name
+    }
+
+    /// The same, with its type.
+    fn typed(&mut self, value: Value) -> String {
+        format!("{}: {}", self.define(value), self.program.type_of(value))
     }
 
     /// A value where it is used.
@@ -111,7 +128,7 @@ impl Text<'_> {
             Statement::Store { value, aligned, address, offset } => {
                 let ty = self.program.type_of(*value);
                 let line =
-                    format!("store{} {ty} {} {}", unaligned(*aligned), self.place(*address, *offset), self.of(*value));
+                    format!("{} {ty} {} {}", name(STORES, *aligned), self.place(*address, *offset), self.of(*value));
                 self.line(&line, self.note(*address, *offset));
             }
             Statement::If { flag, then, otherwise } => {
@@ -134,9 +151,13 @@ impl Text<'_> {
             }
             Statement::Loop(all) => self.repeat(all),
             Statement::LeaveUnless { flag, results } => {
-                let line = format!("leave unless {} with {}", self.of(*flag), self.all(results));
+                let program = self.program;
+                let typed = |value: &Value| format!("{} {}", program.type_of(*value), self.of(*value));
+                let results: Vec<String> = results.iter().map(typed).collect();
+                let line = format!("leave unless {} with {}", self.of(*flag), results.join(" "));
                 self.line(&line, None);
             }
+            Statement::Then => self.line("then", None),
             Statement::Return(value) => {
                 let line = format!("return {}", self.of(*value));
                 self.line(&line, None);
@@ -145,20 +166,20 @@ impl Text<'_> {
     }
 
     fn definition(&mut self, value: Value) {
-        let (operation, ty) = &self.program.values[value.index()];
+        let operation = &self.program.values[value.index()].0;
         let (right, note) = match operation {
             Operation::Constant(_) | Operation::Address(_) | Operation::Bytes(_) => return,
             Operation::Parameter => unreachable!("a parameter is not computed"),
             Operation::Unary(unary, of) => {
                 let from = self.program.type_of(*of);
-                (format!("{} {from} {}", unary_name(*unary), self.of(*of)), None)
+                (format!("{} {from} {}", name(UNARIES, *unary), self.of(*of)), None)
             }
             Operation::Binary(binary, x, y) => {
-                (format!("{} {} {}", binary_name(*binary), self.of(*x), self.of(*y)), None)
+                (format!("{} {} {}", name(BINARIES, *binary), self.of(*x), self.of(*y)), None)
             }
             Operation::Compare(comparison, x, y) => {
                 let of = self.program.type_of(*x);
-                (format!("{} {of} {} {}", comparison_name(*comparison), self.of(*x), self.of(*y)), None)
+                (format!("{} {of} {} {}", name(COMPARISONS, *comparison), self.of(*x), self.of(*y)), None)
             }
             Operation::Select(flag, x, y) => {
                 (format!("select {} {} {}", self.of(*flag), self.of(*x), self.of(*y)), None)
@@ -173,25 +194,25 @@ impl Text<'_> {
                 (format!("lane {lane} of {from} {}", self.of(*of)), None)
             }
             Operation::WithLane(vector, number, lane) => {
-                (format!("with {} in lane {lane} of {}", self.of(*number), self.of(*vector)), None)
+                (format!("set lane {lane} of {} to {}", self.of(*vector), self.of(*number)), None)
             }
             Operation::Load { load, aligned, address, offset } => {
-                let line = format!("load{}{} {}", load_name(*load), unaligned(*aligned), self.place(*address, *offset));
+                let line = format!("{} {}", name(LOADS, (*load, *aligned)), self.place(*address, *offset));
                 (line, self.note(*address, *offset))
             }
             Operation::Call(function, arguments) => {
                 (format!("call {} {}", self.of(*function), self.all(arguments)), None)
             }
         };
-        let name = self.define(value);
-        self.line(&format!("{name}: {ty} = {right}"), note);
+        let left = self.typed(value);
+        self.line(&format!("{left} = {right}"), note);
     }
 
     fn repeat(&mut self, all: &Loop) {
         let Loop { parameters, start, body, again, end, results } = all;
         let start: Vec<String> = start.iter().map(|value| self.of(*value)).collect();
         let begins: Vec<String> =
-            parameters.iter().zip(start).map(|(value, start)| format!("{} = {start}", self.define(*value))).collect();
+            parameters.iter().zip(start).map(|(value, start)| format!("{} = {start}", self.typed(*value))).collect();
         self.line(&format!("loop {}", begins.join(", ")), None);
         self.inner(body);
         let mut line = match again {
@@ -200,8 +221,8 @@ impl Text<'_> {
         };
         if !results.is_empty() {
             let end = self.all(end);
-            let names: Vec<String> = results.iter().map(|value| self.define(*value)).collect();
-            let _ = write!(line, ", else {} = {end}", names.join(" "));
+            let names: Vec<String> = results.iter().map(|value| self.typed(*value)).collect();
+            let _ = write!(line, ", else {} = {end}", names.join(", "));
         }
         self.line(&line, None);
     }
@@ -238,13 +259,6 @@ enum Base {
     Known(usize),
 }
 
-impl Display for Type {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}{}", if self.is_float() { "f" } else { "i" }, self.element())?;
-        if self.is_vector() { write!(f, "x{}", self.lanes()) } else { Ok(()) }
-    }
-}
-
 /// The integers of a vector; one alone if all are equal.
 fn bytes_text(bytes: &[u8; 16], ty: Type) -> String {
     let numbers: Vec<String> = bytes
@@ -254,76 +268,5 @@ fn bytes_text(bytes: &[u8; 16], ty: Type) -> String {
     match numbers.iter().all(|number| *number == numbers[0]) {
         true => format!("0x{}", numbers[0]),
         false => format!("(0x{})", numbers.join(" 0x")),
-    }
-}
-
-fn unaligned(aligned: bool) -> &'static str {
-    if aligned { "" } else { "_unaligned" }
-}
-
-fn load_name(load: Load) -> &'static str {
-    match load {
-        Load::Whole => "",
-        Load::ZeroExtended => "_zero_extended",
-        Load::SignExtended => "_sign_extended",
-    }
-}
-
-fn unary_name(unary: Unary) -> &'static str {
-    match unary {
-        Unary::Not => "not",
-        Unary::Neg => "neg",
-        Unary::CountOnes => "count_ones",
-        Unary::ZeroExtend => "zero_extend",
-        Unary::SignExtend => "sign_extend",
-        Unary::Truncate => "truncate",
-        Unary::Cast => "cast",
-        Unary::Splat => "splat",
-        Unary::Lowest => "lowest",
-        Unary::WidenLow { signed: false } => "widen_low",
-        Unary::WidenLow { signed: true } => "widen_low_signed",
-        Unary::WidenHigh { signed: false } => "widen_high",
-        Unary::WidenHigh { signed: true } => "widen_high_signed",
-        Unary::HighBits => "high_bits",
-        Unary::AnyBit => "any_bit",
-        Unary::ToFloat => "floats",
-        Unary::ToInteger => "integers",
-    }
-}
-
-fn binary_name(binary: Binary) -> &'static str {
-    match binary {
-        Binary::Add => "add",
-        Binary::Sub => "sub",
-        Binary::Mul => "mul",
-        Binary::Div => "div",
-        Binary::And => "and",
-        Binary::Or => "or",
-        Binary::Xor => "xor",
-        Binary::Shl => "shl",
-        Binary::Shr => "shr",
-        Binary::Sar => "sar",
-        Binary::RotateLeft => "rotate_left",
-        Binary::Min => "min",
-        Binary::Narrow { signed: false } => "narrow",
-        Binary::Narrow { signed: true } => "narrow_signed",
-        Binary::Swizzle => "swizzle",
-        Binary::LookUp => "look_up",
-        Binary::MulFloat => "mul_float",
-    }
-}
-
-fn comparison_name(comparison: Comparison) -> &'static str {
-    match comparison {
-        Comparison::Equal => "eq",
-        Comparison::NotEqual => "ne",
-        Comparison::SignedLessThan => "slt",
-        Comparison::SignedLessThanOrEqual => "sle",
-        Comparison::SignedGreaterThan => "sgt",
-        Comparison::SignedGreaterThanOrEqual => "sge",
-        Comparison::UnsignedLessThan => "ult",
-        Comparison::UnsignedLessThanOrEqual => "ule",
-        Comparison::UnsignedGreaterThan => "ugt",
-        Comparison::UnsignedGreaterThanOrEqual => "uge",
     }
 }

@@ -61,6 +61,7 @@ impl Uses<'_> {
                 self.all(start.iter());
             }
             Statement::LeaveUnless { flag, results } => self.all(results.iter().chain([&*flag])),
+            Statement::Then => {}
             Statement::Return(value) => self.all([&*value]),
         }
         Some(statement)
@@ -95,7 +96,7 @@ mod tests {
         assert_eq!(program.verify(), Ok(()));
         let lines = [
             "v0: i64 = load [state + 8]",
-            "loop v1 = v0",
+            "loop v1: i64 = v0",
             "  v2: i64 = add v1 argument",
             "  v3: i64 = load [state + 32]",
             "  v4: i8 = ult i64 v2 v3",

@@ -31,6 +31,21 @@ impl Type {
     pub const I64X2: Type = Type::integers(64, 2);
     pub const F32X4: Type = Type { element: 32, is_float: true, lanes: 4 };
     pub const F64X2: Type = Type { element: 64, is_float: true, lanes: 2 };
+    /// All of them.
+    pub(super) const ALL: [Type; 12] = [
+        Type::I8,
+        Type::integers(16, 1),
+        Type::I32,
+        Type::I64,
+        Type { element: 32, is_float: true, lanes: 1 },
+        Type { element: 64, is_float: true, lanes: 1 },
+        Type::I8X16,
+        Type::I16X8,
+        Type::I32X4,
+        Type::I64X2,
+        Type::F32X4,
+        Type::F64X2,
+    ];
     /// The type of addresses.
     pub const ADDRESS: Type = Type::I64;
 
@@ -72,6 +87,11 @@ impl Type {
     /// Whether its numbers are floats.
     pub fn is_float(self) -> bool {
         self.is_float
+    }
+
+    /// Bytes of a value.
+    pub fn bytes(self) -> i64 {
+        i64::from(self.element) * i64::from(self.lanes) / 8
     }
 
     /// The numbers of a vector; 1 for a number alone.

@@ -1,10 +1,26 @@
 //! Whether a strip program keeps the rules: a value is computed once and before its uses, and operands have the types of their operations.
 
+use super::bounds::{Bounds, Surroundings};
 use super::operation::{Binary, Load, Operation, Unary};
 use super::program::{Loop, Program, Statement};
 use super::value::{Type, Value};
 
 impl Program {
+    /// Checks everything: the rules, that each access is in one allocation of the memory, and that nothing is read
+    /// after it was changed.
+    ///
+    /// # Errors
+    /// What is wrong first.
+    pub fn check(&self, memory: &dyn Surroundings) -> Result<Bounds, String> {
+        self.verify()?;
+        let bounds = self.bounds(memory)?;
+        match memory.committed() {
+            Some(before) => self.commits(&bounds, &mut before.borrow_mut())?,
+            None => self.commits(&bounds, &mut Vec::new())?,
+        }
+        Ok(bounds)
+    }
+
     /// Checks the rules.
     ///
     /// # Errors
@@ -136,6 +152,7 @@ impl Check<'_> {
                 self.is_integer(*flag)?;
                 results.iter().try_for_each(|value| self.usable(*value))
             }
+            Statement::Then => Ok(()),
             Statement::Return(value) => self.demand(false, *value, "is returned before the end"),
         }
     }

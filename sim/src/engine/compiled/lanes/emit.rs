@@ -4,7 +4,7 @@ use super::form::Step;
 use crate::engine::strips::{Builder, Comparison, Type, Value};
 
 /// The vector type with this element.
-pub(super) fn ty(element: u32) -> Type {
+pub(in crate::engine::compiled) fn ty(element: u32) -> Type {
     match element {
         8 => Type::I8X16,
         16 => Type::I16X8,

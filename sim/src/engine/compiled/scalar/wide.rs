@@ -168,7 +168,8 @@ impl Scalars {
         let limbs: Vec<Value> = (0..limbs_for(width)).map(limb).collect();
         b.give_back(out);
         match limbs.as_slice() {
-            [limb] => Scalar::clean(width, *limb),
+            // The bits above the width are zero, but only a mask shows that an address made of it is within bounds.
+            [limb] => Scalar::integer(width, *limb, 64),
             _ => Scalar::limbs(width, limbs),
         }
     }

@@ -45,9 +45,20 @@ impl Emitter<'_, '_> {
         {
             return self.gather_regular(strip, id, of, &lanes, step);
         }
-        let numbers: Vec<Value> = (0..strip.size).map(|lane| self.limbs(strip, at, lane)[0]).collect();
+        let numbers: Vec<Value> = (0..strip.size).map(|lane| self.lane_number(strip, at, lane, of)).collect();
         let mut numbers = numbers.into_iter();
         self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
+    }
+
+    /// The number in a lane of `at`, of a lane of `of`.
+    fn lane_number(&mut self, strip: &mut Strip, at: ValueId, lane: u32, of: ValueId) -> Value {
+        if self.function.is_table(at) && !strip.lanes.has(at) {
+            // All numbers of a table are known to be numbers of lanes.
+            self.singles(strip, at);
+            return strip.singles[lane as usize].clean(self.builder, at)[0];
+        }
+        let number = self.limbs(strip, at, lane)[0];
+        self.of_lanes(number, self.function.cell(at).width, self.function.cell(of).lanes)
     }
 
     /// The numbers of a table for the first strip, and the step from each strip to the next, if it is constant.

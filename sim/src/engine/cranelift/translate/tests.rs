@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::super::jit::Jit;
-use crate::engine::strips::{Builder, Comparison, Load, Loop, Memory, Program, Type, Value};
+use crate::engine::strips::{Builder, Comparison, Load, Loop, Memory, Notes, Only, Program, Type, Value};
 
 const COMPARISONS: [Comparison; 10] = [
     Comparison::Equal,
@@ -213,7 +213,8 @@ impl Random<'_> {
         let [state, ..] = Program::PARAMETERS;
         let b = &mut *self.b;
         let offset = i32::from(x) % (STATE as i32 - 16);
-        match n % 4 {
+        match n % 5 {
+            4 => self.load_indexed(x, n >> 3),
             0 => {
                 let ty = Type::integer(INTEGERS[(n >> 8) as usize % 4]);
                 let value = b.load(ty, state, offset / 8 * 8);
@@ -227,6 +228,41 @@ impl Random<'_> {
             2 => self.vectors.push(b.load(VECTORS[(n >> 8) as usize % 4], state, offset / 16 * 16)),
             _ => self.vectors.push(b.load_as(Load::Whole, VECTORS[(n >> 8) as usize % 4], false, state, offset)),
         }
+    }
+
+    /// Loads a byte at a number that is made small enough, mostly.
+    fn load_indexed(&mut self, x: u8, n: u64) {
+        let (number, [state, ..]) = (self.number(x), Program::PARAMETERS);
+        let b = &mut *self.b;
+        let shift = n >> 16 & 7;
+        let most = 511 - (n >> 8 & 0xff) as i64 + i64::from(n >> 24 & 31 == 0);
+        let index = match n % 5 {
+            0 => b.and_constant(number, most >> shift),
+            1 => {
+                let most = b.constant(Type::I64, most >> shift);
+                b.min(number, most)
+            }
+            2 => b.shr_constant(number, 55 + shift as i64),
+            3 => {
+                let quotient = b.shr_constant(number, 5);
+                let start = b.mul_constant(quotient, 32 - i64::from(n >> 24 & 31 == 0));
+                let rest = b.sub(number, start);
+                b.min(rest, quotient)
+            }
+            _ => {
+                let byte = b.truncate(Type::I8, number);
+                b.zero_extend(Type::I64, byte)
+            }
+        };
+        let (scale, offset) = match n % 5 {
+            0 | 1 => (shift as i64, 511 - most as i32),
+            2 => (shift as i64, 0),
+            _ => (0, 255),
+        };
+        let at = b.shl_constant(index, scale);
+        let address = b.add(state, at);
+        let value = b.load(Type::I8, address, offset.max(0));
+        self.add_number(value);
     }
 
     /// Steps in a region of their own.
@@ -347,6 +383,12 @@ proptest! {
         write(&mut builder, &steps);
         let (program, _kept) = builder.finish();
         prop_assert_eq!(program.verify(), Ok(()));
+        let (text, addresses) = program.text_and_addresses(&Notes::NONE);
+        prop_assert_eq!(Program::parse(&text, &addresses), Ok(program.settled()));
+        // What is shown to stay in the state stays in it.
+        if program.check(&Only(STATE as i64)).is_err() {
+            return Ok(());
+        }
         let mut evaluated = state.clone();
         let address = 1 << 20;
         let mut memories = [Memory { address, bytes: &mut evaluated.0 }];

@@ -1,0 +1,33 @@
+//! The strip programs of every block of the catalogues: their text is read as it was printed, every access is shown
+//! to stay in its allocation, and old values are read before they change. Programs that have lost a mask or a minimum
+//! of an address are refused, unless its index stays in the padding; so are programs that read what they have changed.
+
+use tilewright_cosim::workers;
+use tilewright_hdl::catalog::Entry;
+use tilewright_sim::{Examined, Passes, examined};
+
+#[test]
+fn the_programs_of_every_block_pass_the_checks_and_mutants_do_not() {
+    let entries: Vec<&Entry> =
+        tilewright_rtl::catalog::ENTRIES.iter().chain(tilewright_blocks::catalog::ENTRIES).collect();
+    let all = workers::each(&entries, |entry| {
+        let design = entry.design(&entry.values([]).unwrap()).unwrap();
+        examined(&design, &Passes::default())
+    });
+    let wrong: Vec<String> = entries
+        .iter()
+        .zip(&all)
+        .flat_map(|(entry, found)| found.wrong.iter().map(|wrong| format!("{}: {wrong}", entry.name)))
+        .collect();
+    assert!(wrong.is_empty(), "{} programs are wrong, the first of them:\n{}", wrong.len(), wrong[0]);
+    let sum = |of: fn(&Examined) -> usize| all.iter().map(of).sum::<usize>();
+    let (programs, accesses) = (sum(|it| it.programs), sum(|it| it.accesses));
+    let (clamps, refused) = (sum(|it| it.clamps), sum(|it| it.refused));
+    let (late, found) = (sum(|it| it.late), sum(|it| it.found));
+    println!(
+        "{programs} programs, {accesses} accesses; refused: {refused} of {clamps} unclamped, {found} of {late} late"
+    );
+    assert!(programs > 200 && accesses > 20_000, "{programs} programs with {accesses} accesses");
+    assert!(clamps > 50 && 5 * refused > 2 * clamps, "{refused} of {clamps} without a clamp are refused");
+    assert!(late > 100 && found == late, "{found} of {late} that read what they have changed are refused");
+}
