@@ -74,38 +74,28 @@ impl Examined {
 
 /// Loads a place of the state again after the first store to what was loaded; returns whether there is one.
 fn read_late(values: &mut Vec<(Operation, Type)>, region: &mut Region, is_state: &dyn Fn(Value, i32) -> bool) -> bool {
-    for index in 0..region.len() {
-        match &mut region[index] {
-            Statement::Store { address, offset, .. } => {
-                let place = (*address, *offset);
-                let loads = |value: &Value| match values[value.index()].0 {
-                    Operation::Load { load: Load::Whole, address, offset, .. } => (address, offset) == place,
-                    _ => false,
-                };
-                let load = region[..index].iter().find_map(|statement| match statement {
-                    Statement::Let(value) => Some(*value).filter(loads),
-                    _ => None,
-                });
-                if let Some(load) = load.filter(|_| is_state(place.0, place.1)) {
-                    values.push(values[load.index()].clone());
-                    region.insert(index + 1, Statement::Let(Value(values.len() as u32 - 1)));
-                    return true;
-                }
-            }
-            Statement::Loop(all) => {
-                if read_late(values, &mut all.body, is_state) {
-                    return true;
-                }
-            }
-            Statement::If { then, otherwise, .. } => {
-                if read_late(values, then, is_state) || read_late(values, otherwise, is_state) {
-                    return true;
-                }
-            }
-            _ => {}
+    (0..region.len()).any(|index| match &mut region[index] {
+        Statement::Store { address, offset, .. } => {
+            let place = (*address, *offset);
+            let loads = |value: &Value| match values[value.index()].0 {
+                Operation::Load { load: Load::Whole, address, offset, .. } => (address, offset) == place,
+                _ => false,
+            };
+            let load = region[..index].iter().find_map(|statement| match statement {
+                Statement::Let(value) => Some(*value).filter(loads),
+                _ => None,
+            });
+            let Some(load) = load.filter(|_| is_state(place.0, place.1)) else { return false };
+            values.push(values[load.index()].clone());
+            region.insert(index + 1, Statement::Let(Value(values.len() as u32 - 1)));
+            true
         }
-    }
-    false
+        Statement::Loop(all) => read_late(values, &mut all.body, is_state),
+        Statement::If { then, otherwise, .. } => {
+            read_late(values, then, is_state) || read_late(values, otherwise, is_state)
+        }
+        _ => false,
+    })
 }
 
 impl Program {
