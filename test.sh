@@ -90,11 +90,17 @@ tests=(cargo test --workspace)
 "${tests[@]}" --no-run "$@" || { status=$? && wait && exit $status; }
 wait $!
 [ $# = 0 ] || exec "${tests[@]}" "$@"
-# Examples of the documentation run beside the tests, whose programs each end with a long test on one processor.
-documentation=$(mktemp)
-cargo test --workspace --doc >"$documentation" 2>&1 &
+# Each program ends with a long test on one processor, so unit tests and examples of the documentation run beside the other tests.
+beside=$(mktemp -d)
+cargo test --workspace --doc >"$beside/examples" 2>&1 &
+examples=$!
+cargo test --workspace --lib --bins --no-fail-fast >"$beside/units" 2>&1 &
+units=$!
 status=0
-"${tests[@]}" || status=$?
-wait $! || status=$?
-cat "$documentation" && rm "$documentation"
+cargo test --workspace --test '*' --no-fail-fast || status=$?
+wait $units || status=$?
+cat "$beside/units"
+wait $examples || status=$?
+cat "$beside/examples"
+rm -r "$beside"
 exit $status

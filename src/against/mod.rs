@@ -7,7 +7,7 @@ mod run;
 
 use crate::block::{BlockArguments, design};
 use crate::engine::EngineArguments;
-use crate::first_difference::{Both, Waves, matched, no_time};
+use crate::first_difference::{Both, Waves, matched, no_signal, no_time};
 use crate::shell::{Exit, Failure, interrupt, progress};
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
@@ -52,6 +52,9 @@ impl AgainstOptions {
         let files: [&Waves; 2] = [&ours.waves, &theirs];
         let mut matched = matched(files)?;
         ours.leave_out(&mut matched);
+        if matched.pairs.is_empty() {
+            return Err(no_signal(files));
+        }
         let both = Both::new(files, &matched.pairs);
         let instants = ours.instants_of(&both);
         if instants.is_empty() {

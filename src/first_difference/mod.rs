@@ -96,12 +96,16 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Exit, Failure> {
 /// There are none.
 pub fn matched(files: [&Waves; 2]) -> Result<Matched, Failure> {
     let matched = names::matched(files);
-    if matched.pairs.is_empty() {
-        let [one, other] = files.map(|file| &file.name);
-        let sentence = format!("{one} and {other} have no signal in common: name files of the same design");
-        return Err(Failure::new(Exit::BadInput, sentence));
+    match matched.pairs.is_empty() {
+        true => Err(no_signal(files)),
+        false => Ok(matched),
     }
-    Ok(matched)
+}
+
+/// The files have no signal in common.
+pub fn no_signal([one, other]: [&Waves; 2]) -> Failure {
+    let sentence = format!("{} and {} have no signal in common: name files of the same design", one.name, other.name);
+    Failure::new(Exit::BadInput, sentence)
 }
 
 /// The files have no time in common.

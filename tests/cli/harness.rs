@@ -1,6 +1,7 @@
 //! Runs command lines in a folder of their own.
 
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tempfile::TempDir;
@@ -80,6 +81,23 @@ impl Folder {
     pub fn read(&self, name: impl AsRef<Path>) -> String {
         let path = self.path(name);
         std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    }
+
+    /// What the files below a folder in it hold, by their names from there on.
+    pub fn files(&self, below: &str) -> BTreeMap<String, Vec<u8>> {
+        let mut files = BTreeMap::new();
+        for entry in std::fs::read_dir(self.path(below)).unwrap() {
+            let entry = entry.unwrap();
+            let inner = entry.file_name().into_string().unwrap();
+            match entry.file_type().unwrap().is_dir() {
+                true => {
+                    let within = self.files(&format!("{below}/{inner}"));
+                    files.extend(within.into_iter().map(|(file, bytes)| (format!("{inner}/{file}"), bytes)));
+                }
+                false => _ = files.insert(inner, std::fs::read(entry.path()).unwrap()),
+            }
+        }
+        files
     }
 
     /// The names of the files and folders in it, in order.

@@ -46,6 +46,11 @@ pub struct Area {
 
 impl Areas {
     /// The data of the page, as JSON.
+    ///
+    /// ```
+    /// let areas = tilewright_view::Areas { name: "pages".to_owned(), levels: 0, list: Vec::new() };
+    /// assert!(areas.json().starts_with(b"{\"name\":\"pages\""));
+    /// ```
     pub fn json(&self) -> Vec<u8> {
         serde_json::to_vec(self).expect("it has names for keys")
     }

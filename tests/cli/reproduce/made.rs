@@ -21,7 +21,7 @@ pub fn made(options: &str) -> &'static Made {
         let folder = Folder::new();
         let run = folder.run(&format!("reproduce {options}"));
         assert_eq!(run.code, Some(0), "{options}: {run:?}");
-        let files = files(&folder, "report");
+        let files = folder.files("report");
         for (name, bytes) in &files {
             let text = String::from_utf8_lossy(bytes);
             assert!(!text.contains(env!("CARGO_MANIFEST_DIR")), "{name} names the folder of the sources");
@@ -29,24 +29,6 @@ pub fn made(options: &str) -> &'static Made {
         }
         Box::leak(Box::new(Made { run, files }))
     })
-}
-
-/// The files below a folder, by their names in it.
-fn files(folder: &Folder, name: &str) -> BTreeMap<String, Vec<u8>> {
-    let mut files = BTreeMap::new();
-    for entry in std::fs::read_dir(folder.path(name)).unwrap() {
-        let entry = entry.unwrap();
-        let inner = entry.file_name().into_string().unwrap();
-        match entry.file_type().unwrap().is_dir() {
-            true => files.extend(
-                self::files(folder, &format!("{name}/{inner}"))
-                    .into_iter()
-                    .map(|(file, bytes)| (format!("{inner}/{file}"), bytes)),
-            ),
-            false => _ = files.insert(inner, std::fs::read(entry.path()).unwrap()),
-        }
-    }
-    files
 }
 
 impl Made {
