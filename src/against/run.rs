@@ -50,13 +50,8 @@ impl Run {
         };
         let waves = Waves::read(&path)?.named(name);
         let clocks = &sim.program().clocks;
-        let (mut ports, period): (Vec<String>, _) =
-            (clocks.iter().map(|clock| clock.port.clone()).collect(), clocks.first().map(|clock| clock.period));
-        if ports.is_empty() {
-            // The waveform of a block without a clock has one even so.
-            ports.push("clk".to_owned());
-        }
-        Ok(Run { waves, recording: recorder.take(), clocks: ports, period, failed })
+        let (ports, period) = (clocks.iter().map(|clock| clock.port.clone()), clocks.first().map(|clock| clock.period));
+        Ok(Run { waves, recording: recorder.take(), clocks: ports.collect(), period, failed })
     }
 
     /// Leaves out what no run has to have: the levels of clocks, which a testbench chooses between their edges, and the texts of

@@ -21,7 +21,7 @@ const CLOCKS: u64 = 20;
 /// The block of a step.
 pub enum Moment {
     /// The machine's own unit, in a waveform around the step.
-    Recorded { step: Step, unit: Vec<String>, recorded: Recorded },
+    Recorded { step: Step, unit: Vec<String>, recorded: Box<Recorded> },
     /// The block alone.
     Alone(Value),
 }
@@ -78,7 +78,7 @@ impl Visitor for Asked<'_> {
                 _ => Ok(()),
             }
         })?;
-        let recorded = Recorded::new(design, vcd, &unit);
+        let recorded = Box::new(Recorded::new(design, vcd, &unit));
         Ok(Moment::Recorded { step: step.clone(), unit, recorded })
     }
 }

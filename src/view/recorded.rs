@@ -161,7 +161,7 @@ fn units(design: &Design, header: &Header, from: &[String]) -> Vec<Unit> {
     while next < units.len() && units.len() < MOST_UNITS {
         let path = units[next].path.clone();
         let inner = scope(header, &path).into_iter().flat_map(|scope| scopes(&scope.items));
-        units.extend(inner.filter_map(|it| unit([path.as_slice(), &[it.identifier.clone()]].concat())));
+        units.extend(inner.filter_map(|it| unit([path.as_slice(), std::slice::from_ref(&it.identifier)].concat())));
         next += 1;
     }
     units

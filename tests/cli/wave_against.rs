@@ -147,7 +147,6 @@ fn what_cannot_be_compared_is_said_with_a_remedy() {
         ("wave fifo --against reference --verilog broken.v", 2, "--verilog is for a simulator of Verilog"),
         ("wave fifo --against icarus --verilog none.v", 2, "error: none.v: it cannot be read ("),
         ("wave merging-unit --against fifo.vcd", 2, "have no signal in common"),
-        ("wave count-ones --against fifo.vcd", 2, "have no signal in common"),
     ] {
         let run = folder.run(line);
         assert!(run.code == Some(code) && run.stdout.is_empty() && run.stderr.contains(sentence), "{line}: {run:?}");

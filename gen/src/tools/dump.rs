@@ -270,7 +270,7 @@ fn complaint(output: &[u8], tool: &str) -> String {
     let text = String::from_utf8_lossy(output);
     let lines = || text.lines().map(str::trim).filter(|line| !line.is_empty());
     let tells = |line: &&str| line.to_lowercase().contains("error");
-    lines().find(tells).or_else(|| lines().last()).map_or_else(|| format!("{tool} says nothing"), str::to_owned)
+    lines().find(tells).or_else(|| lines().next_back()).map_or_else(|| format!("{tool} says nothing"), str::to_owned)
 }
 
 #[cfg(test)]

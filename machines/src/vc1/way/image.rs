@@ -125,15 +125,11 @@ impl Image {
             let Access { came, address, .. } = self.under_way[at];
             match clock - came {
                 COMPARES => self.under_way[at].old = Some(old),
-                WRITES => {
-                    if drawn != u64::from(address) {
-                        told.check("address", self.number, false, || {
-                            let values = vec![compared("address", drawn, address)];
-                            let at = self.at("image memory", "image-memory", clock);
-                            at.step("takes a pixel", values).on(&self.nets.address)
-                        });
-                    }
-                }
+                WRITES if drawn != u64::from(address) => told.check("address", self.number, false, || {
+                    let values = vec![compared("address", drawn, address)];
+                    let at = self.at("image memory", "image-memory", clock);
+                    at.step("takes a pixel", values).on(&self.nets.address)
+                }),
                 _ => {}
             }
         }
