@@ -161,9 +161,8 @@ impl Wave {
                 files.push(path.clone());
             }
             if let (Some(waveform), false) = (vcd, beside.is_empty()) {
-                let written = mappings::write(waveform, &sim);
-                files.extend(written.as_ref().map(Clone::clone).unwrap_or_default());
-                ended = Failure::both(ended, written.map(|_| ()));
+                let written = mappings::write(waveform, &sim).map(|written| files.extend(written));
+                ended = Failure::both(ended, written);
             }
         }
         if let (Some(picture), Some(drawn), true) = (picture, drawn, Failure::leaves_a_waveform(&ended)) {

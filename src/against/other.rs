@@ -1,6 +1,6 @@
 //! The other run: a simulator of Verilog, an engine, or a file.
 
-use super::run::{Run, no_room};
+use super::run::Run;
 use crate::first_difference::Waves;
 use crate::names::near;
 use crate::shell::place::shown;
@@ -17,8 +17,6 @@ use tilewright_sim::EngineKind;
 #[derive(Debug, Clone)]
 pub enum Other {
     Simulator(Simulator),
-    /// The first simulator that is installed.
-    AnySimulator,
     Engine(EngineKind, &'static str),
     File(PathBuf),
 }
@@ -34,7 +32,7 @@ impl Other {
         Ok(match given.to_str() {
             Some("icarus") => Other::Simulator(Simulator::Icarus),
             Some("verilator") => Other::Simulator(Simulator::Verilator),
-            Some("verilog") => Other::AnySimulator,
+            Some("verilog") => Other::Simulator(first_installed()),
             Some("interpreter") => Other::Engine(EngineKind::Interpreter, "interpreter"),
             Some("reference") => Other::Engine(EngineKind::Reference, "reference"),
             _ if Path::new(&given).exists() => Other::File(given.into()),
@@ -51,14 +49,7 @@ impl Other {
 
     /// The simulator to run, if it is one.
     fn simulator(&self) -> Option<Simulator> {
-        match self {
-            Other::Simulator(simulator) => Some(*simulator),
-            Other::AnySimulator => {
-                let is_there = |it: &Simulator| it.missing().is_none();
-                Some([Simulator::Icarus, Simulator::Verilator].into_iter().find(is_there).unwrap_or(Simulator::Icarus))
-            }
-            Other::Engine(..) | Other::File(_) => None,
-        }
+        if let Other::Simulator(simulator) = self { Some(*simulator) } else { None }
     }
 
     /// Whether it can be had, before anything takes time.
@@ -103,13 +94,19 @@ impl Other {
         ours: &Run,
         edited: &[VerilogFile],
     ) -> Result<Waves, Failure> {
-        match (self, self.simulator()) {
-            (Other::File(path), _) => Waves::read(path),
+        match self {
+            Other::File(path) => Waves::read(path),
             // An assertion ends both runs, and the failure of ours is told.
-            (Other::Engine(kind, name), _) => Ok(Run::of(design, scenario, *kind, name)?.waves),
-            (_, simulator) => simulated(simulator.unwrap_or(Simulator::Icarus), design, ours, edited),
+            Other::Engine(kind, name) => Ok(Run::of(design, scenario, *kind, name)?.waves),
+            Other::Simulator(simulator) => simulated(*simulator, design, ours, edited),
         }
     }
+}
+
+/// The first simulator that is installed, or else the first one.
+fn first_installed() -> Simulator {
+    let all = [Simulator::Icarus, Simulator::Verilator];
+    all.into_iter().find(|it| it.missing().is_none()).unwrap_or(Simulator::Icarus)
 }
 
 /// The waveform of a simulator of Verilog.
@@ -162,7 +159,7 @@ fn failure(error: DumpError, is_edited: bool) -> Failure {
         // The user's own file is wrong, and the line says where.
         DumpError::Refused { .. } if is_edited => Failure::new(Exit::BadInput, sentence),
         DumpError::Refused { .. } => Failure::new(Exit::NoTool, sentence),
-        DumpError::Io(error) => no_room(&error),
+        DumpError::Io(error) => Failure::no_temporary(&error),
         DumpError::Interrupted => Failure::new(interrupt::exit(), sentence),
     }
 }

@@ -36,7 +36,7 @@ impl Run {
     /// # Errors
     /// It is too long, or cannot be played; not that an assertion fails.
     pub fn of(design: &Design, scenario: &Scenario, engine: EngineKind, name: &str) -> Result<Run, Failure> {
-        let folder = TempDir::with_prefix("tilewright-").map_err(|error| no_room(&error))?;
+        let folder = TempDir::with_prefix("tilewright-").map_err(|error| Failure::no_temporary(&error))?;
         let path = folder.path().join("run.vcd");
         let mut sim = simulation(design, engine)?;
         check_length(&sim, scenario, "a comparison")?;
@@ -77,11 +77,4 @@ impl Run {
         });
         instants.filter(|instant| instant.until > begin && instant.until <= end).collect()
     }
-}
-
-/// There is no room for temporary files.
-pub fn no_room(error: &std::io::Error) -> Failure {
-    let folder = std::env::temp_dir();
-    let sentence = format!("{}: cannot be written ({error}): set TMPDIR to another folder", folder.display());
-    Failure::new(Exit::NoOutput, sentence)
 }

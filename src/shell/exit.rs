@@ -89,6 +89,18 @@ impl Failure {
         self.chain().map(|failure| failure.sentence.as_str())
     }
 
+    /// All of them in one line.
+    pub fn line(&self) -> String {
+        self.sentences().collect::<Vec<_>>().join("; ")
+    }
+
+    /// There is no room for temporary files.
+    pub fn no_temporary(error: &std::io::Error) -> Failure {
+        let folder = std::env::temp_dir();
+        let sentence = format!("{}: cannot be written ({error}): set TMPDIR to another folder", folder.display());
+        Failure::new(Exit::NoOutput, sentence)
+    }
+
     /// Whether the waveform of a run with that result is complete: it is not if an output failed.
     pub fn leaves_a_waveform<T>(ended: &Result<T, Failure>) -> bool {
         ended.as_ref().err().is_none_or(|failure| failure.chain().all(|it| it.exit != Exit::NoOutput))

@@ -62,7 +62,7 @@ impl Workspace {
     /// # Errors
     /// The system's folder for temporary files takes none.
     pub fn new() -> Result<Workspace, Failure> {
-        let made = TempDir::with_prefix("tilewright-").map_err(|error| unwritable(&error));
+        let made = TempDir::with_prefix("tilewright-").map_err(|error| Failure::no_temporary(&error));
         Ok(Workspace(made?))
     }
 
@@ -81,7 +81,7 @@ impl Workspace {
     /// # Errors
     /// There is no room.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
-        std::fs::write(self.0.path().join(name), bytes).map_err(|error| unwritable(&error))
+        std::fs::write(self.0.path().join(name), bytes).map_err(|error| Failure::no_temporary(&error))
     }
 
     /// The files that are there, for a user to keep.
@@ -90,14 +90,6 @@ impl Workspace {
         let names = own.chain(KEPT);
         names.filter_map(|name| Some((name.to_owned(), self.read(name).ok()?))).collect()
     }
-}
-
-fn unwritable(error: &std::io::Error) -> Failure {
-    let folder = std::env::temp_dir();
-    Failure::new(
-        Exit::NoOutput,
-        format!("{}: cannot be written ({error}): set TMPDIR to another folder", folder.display()),
-    )
 }
 
 impl Task<'_> {

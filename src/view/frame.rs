@@ -56,6 +56,9 @@ enum Made {
 }
 
 impl Wish for Asked {
+    /// All machines at two places of the camera, and some more.
+    const MOST: usize = 12;
+
     fn kind(&self) -> usize {
         match self.what {
             What::Frame => 0,
@@ -63,11 +66,6 @@ impl Wish for Asked {
             What::Way(_) => 2,
             What::Moment(..) => 3,
         }
-    }
-
-    /// All machines at two places of the camera, and some more.
-    fn most(&self) -> usize {
-        12
     }
 
     /// Pixels of another picture, another pixel, or another step.
@@ -173,7 +171,7 @@ impl Made {
 
 /// A failure as the page tells it.
 pub fn refused(failure: &Failure) -> Answer {
-    Answer::Refused(failure.sentences().collect::<Vec<_>>().join("; "))
+    Answer::Refused(failure.line())
 }
 
 impl Site for FrameSite {

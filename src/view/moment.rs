@@ -1,7 +1,7 @@
 //! The block at a step of a pixel's way: its units, and the values of their nets around that clock.
 
 use super::nets::Net;
-use super::recorded::{Link, Recorded, Shown, about, drawn, module_at, written};
+use super::recorded::{Recorded, Shown, about, drawn, module_at, written};
 use crate::block::entries;
 use crate::engine::EngineArguments;
 use crate::machine::{Machine, Run, Viewed, Visitor, visit};
@@ -133,7 +133,7 @@ fn alone(step: &Step, why: &str) -> Result<Moment, Failure> {
         step: Some(0),
         units: Vec::new(),
         outer: Vec::new(),
-        siblings: Vec::<Link>::new(),
+        siblings: Vec::new(),
     };
     Ok(Moment::Alone(json!({ "note": why, "unit": shown })))
 }

@@ -7,11 +7,11 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
 /// Something that a page can ask for.
 pub trait Wish: Copy + PartialEq {
+    /// The most that are kept of a kind.
+    const MOST: usize;
+
     /// Its kind, by number: a lower one is made before.
     fn kind(&self) -> usize;
-
-    /// The most that are kept of its kind.
-    fn most(&self) -> usize;
 
     /// Whether work on it has no reader any more when the other one is asked for.
     fn is_superseded(&self, by: &Self) -> bool;
@@ -69,7 +69,7 @@ impl<W: Wish, M: Clone> Shelf<W, M> {
             entry.stop.store(true, Relaxed);
             entry.state = State::Stopped;
         }
-        if entries.iter().filter(|it| it.wish.kind() == wish.kind()).count() >= wish.most() {
+        if entries.iter().filter(|it| it.wish.kind() == wish.kind()).count() >= W::MOST {
             let oldest = entries.iter().position(|it| it.wish.kind() == wish.kind() && !it.is_open());
             oldest.map(|place| entries.remove(place));
         }
@@ -114,7 +114,7 @@ impl<W: Wish, M: Clone> Shelf<W, M> {
         drop(entries);
         let state = match catch_unwind(AssertUnwindSafe(|| make(wish, &stop))) {
             Ok(Ok(made)) => State::Made(made),
-            Ok(Err(failure)) => State::Failed(failure.sentences().collect::<Vec<_>>().join("; ")),
+            Ok(Err(failure)) => State::Failed(failure.line()),
             // The sentence is on the terminal.
             Err(_) => State::Failed("this is a mistake in tilewright, please report it".to_owned()),
         };
@@ -136,12 +136,10 @@ mod tests {
     use crate::shell::Exit;
 
     impl Wish for (usize, u32) {
+        const MOST: usize = 2;
+
         fn kind(&self) -> usize {
             self.0
-        }
-
-        fn most(&self) -> usize {
-            2
         }
 
         /// Of kind 7 the last one counts alone.

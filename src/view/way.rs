@@ -49,7 +49,7 @@ impl Visitor for Asked<'_> {
             way: &way,
         };
         let mut told = json(&told, &[]);
-        told["failed"] = failed.map(|failure| failure.sentences().collect::<Vec<_>>().join("; ")).into();
+        told["failed"] = failed.map(|failure| failure.line()).into();
         Ok(PixelWay { told, way })
     }
 }
