@@ -1,10 +1,11 @@
 //! Whether a strip program reads old values before it changes them.
 //!
 //! Each part of a program is an edge, or what comes before or after one; `then` stands between parts. In a part, what
-//! edges change is read before it is stored: no load follows a store to a byte of it that it loads, neither in the
-//! sequence of the part nor in a later iteration of a loop. A loop that does not count repeats edges. Two things are
-//! legal beside that: cases of one branch do not follow each other, and a store to a memory that keeps some of the
-//! lanes loads them first, from the place that it stores at. Lanes of a memory are apart from each other, so that
+//! edges change is read before it is stored. No load follows a store to a byte that it loads. Neither does one in a
+//! later iteration of a loop. A loop that does not count repeats edges.
+//!
+//! Two things are legal beside that. Cases of one branch do not follow each other. A store to a memory that keeps some
+//! of the lanes loads them first, from the place that it stores at. Lanes of a memory are apart from each other, so that
 //! iterations of a loop over lanes are not compared there.
 
 use std::collections::HashMap;
@@ -147,8 +148,8 @@ impl Walk<'_> {
         all
     }
 
-    /// Whether a load and a store may be of the same byte where they have the same counters, or in any iterations;
-    /// the bytes of the load moved by so much.
+    /// Whether a load and a store may be of the same byte: in the same iteration if they have the same counters, or else
+    /// in any ones.
     fn meet(&self, load: &Touched, store: &Touched) -> bool {
         if (load.base, load.place) != (store.base, store.place) {
             return false;
