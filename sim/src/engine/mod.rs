@@ -166,6 +166,11 @@ pub(crate) trait Engine: Send {
     /// A word of a memory.
     fn word(&self, memory: u32, lane: u32, address: u32) -> Vec<u64>;
 
+    /// A word of up to 64 bits.
+    fn short_word(&self, memory: u32, lane: u32, address: u32) -> u64 {
+        self.word(memory, lane, address)[0]
+    }
+
     /// Appends all words of a memory, lane by lane, address by address.
     fn all_words(&self, program: &Program, memory: u32, out: &mut Vec<u64>) {
         let Memory { lanes, depth, .. } = program.memories[memory as usize];

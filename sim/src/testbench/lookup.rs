@@ -90,11 +90,10 @@ fn enter(hierarchy: &Hierarchy, path: &str, run: u32, what: &'static str) -> Res
         if std::mem::take(&mut in_array) && name == "lane" {
             continue;
         }
-        let children = hierarchy.children(place);
-        match children.iter().find(|(candidate, _)| candidate == name) {
-            Some((_, child)) => place = *child,
+        match hierarchy.child(place, name) {
+            Some(child) => place = child,
             None => {
-                let mut names: Vec<String> = children.into_iter().map(|(name, _)| name).collect();
+                let mut names: Vec<String> = hierarchy.children(place).into_iter().map(|(name, _)| name).collect();
                 names.dedup();
                 return Err(unknown(hierarchy, place, what, name, &names));
             }

@@ -168,6 +168,6 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         let Memory { index, lane } = memory;
         let layout = &self.circuit.program.memories[index as usize];
         assert!(address < layout.depth, "address {address} of a memory of {} words", layout.depth);
-        Bits::from_limbs(layout.width, &self.circuit.engine.word(index, lane, address))
+        self.circuit.word_of(index, lane, address)
     }
 }

@@ -171,15 +171,22 @@ impl Running {
     #[track_caller]
     pub fn peek_word(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
         let (memory, lane) = self.memory(path, run, address)?;
-        Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
+        Ok(self.word_of(memory, lane, address))
+    }
+
+    /// A word of a lane of a memory.
+    pub fn word_of(&self, memory: u32, lane: u32, address: u32) -> Bits {
+        match self.program.memories[memory as usize].width {
+            width @ ..=64 => Bits::new(width, self.engine.short_word(memory, lane, address)),
+            width => Bits::from_limbs(width, &self.engine.word(memory, lane, address)),
+        }
     }
 
     /// All words of a memory in one run.
     pub fn peek_words(&self, path: &str, run: u32) -> Result<Vec<Bits>, UnknownName> {
         let (memory, lane) = self.memory(path, run, 0)?;
         let layout = &self.program.memories[memory as usize];
-        let word = |address| Bits::from_limbs(layout.width, &self.engine.word(memory, lane, address));
-        Ok((0..layout.depth).map(word).collect())
+        Ok((0..layout.depth).map(|address| self.word_of(memory, lane, address)).collect())
     }
 
     /// Replaces a word of a memory in one run.

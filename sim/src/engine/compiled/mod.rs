@@ -320,6 +320,10 @@ impl Engine for Compiled {
         self.word_of_parts(memory, lane, address)
     }
 
+    fn short_word(&self, memory: u32, lane: u32, address: u32) -> u64 {
+        self.short_word_of_parts(memory, lane, address)
+    }
+
     fn all_words(&self, program: &Program, memory: u32, out: &mut Vec<u64>) {
         self.all_words_of_parts(memory, &program.memories[memory as usize], out);
     }

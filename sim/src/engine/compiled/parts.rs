@@ -23,6 +23,20 @@ impl Compiled {
         word.expect("a word has a part").limbs().to_vec()
     }
 
+    /// A word of up to 64 bits of a memory of the description.
+    pub(super) fn short_word_of_parts(&self, memory: u32, lane: u32, address: u32) -> u64 {
+        let (mut word, mut low) = (0, 0);
+        for &Part { of, piece } in &self.parts.memories[memory as usize] {
+            for within in 0..piece.lanes {
+                let mut part = [0];
+                self.read_stored(of, lane * piece.lanes + within, address, &mut part);
+                word |= part[0] << low;
+                low += piece.each();
+            }
+        }
+        word
+    }
+
     /// Appends all words of a memory of the description, whose lanes have so many of this width.
     pub(super) fn all_words_of_parts(&self, memory: u32, declared: &Memory, out: &mut Vec<u64>) {
         let (first, limbs) = (out.len(), limbs_for(declared.width));

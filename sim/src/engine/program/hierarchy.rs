@@ -176,6 +176,21 @@ impl Hierarchy {
         self.scope(of.scope).children.iter().flat_map(|&child| element(child)).collect()
     }
 
+    /// The instance of that name directly in an instance, if there is one.
+    pub fn child(&self, of: Place, name: &str) -> Option<Place> {
+        self.scope(of.scope).children.iter().find_map(|&scope| {
+            let child = self.scope(scope);
+            let rest = name.strip_prefix(child.name.as_str())?;
+            let lane = match child.replication {
+                Replication::Single => rest.is_empty().then_some(of.lane),
+                Replication::Sibling { index, of: n } => rest.is_empty().then_some(of.lane * n + index),
+                Replication::Element(shape, i) => (rest == index(shape, i)).then_some(of.lane),
+                Replication::Whole(shape) => at_index(shape, rest).map(|i| of.lane * shape.lanes() + i),
+            };
+            Some(Place { scope, lane: lane? })
+        })
+    }
+
     /// The instance of a lane of values that these scopes share.
     pub fn instance(&self, scopes: &[ScopeId], lane: u32) -> Place {
         let mut places = scopes.iter().map(|&scope| Place { scope, lane });

@@ -134,11 +134,7 @@ impl Walk<'_> {
 
     fn add(&mut self, from: Option<usize>, place: Place, lane: u32) -> usize {
         let (value, is_shown, clock) = match place {
-            Place::Word(memory, address) => {
-                let width = self.program.memories[memory as usize].width;
-                let word = Bits::from_limbs(width, &self.running.engine.word(memory, lane, address));
-                (word, true, None)
-            }
+            Place::Word(memory, address) => (self.running.word_of(memory, lane, address), true, None),
             Place::Value(id) => {
                 let is_shown = from.is_none() || self.limits.operations || self.names.is_named(&self.program, id, lane);
                 (self.values.get(self.running, id, lane), is_shown, self.clock_of(id))
