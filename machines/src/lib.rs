@@ -12,7 +12,7 @@ mod random;
 mod run;
 mod threads;
 mod told;
-mod trail;
+mod tracer;
 pub mod vc1;
 mod way;
 
@@ -21,4 +21,5 @@ pub use error::Error;
 pub use history::{History, Lane, Recorder, Span, Write};
 pub use mean::Mean;
 pub use run::{Progress, Watch};
-pub use way::{Compared, Follower, Primitive, Step, Way};
+pub use tracer::Tracer;
+pub use way::{Apart, Compared, Follower, Primitive, Step, Way};

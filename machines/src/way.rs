@@ -73,6 +73,17 @@ pub struct Step {
     pub net: Option<String>,
     /// The values of the step.
     pub values: Vec<Compared>,
+    /// Where the step is simulated, if units are simulated one by one.
+    pub apart: Option<Apart>,
+}
+
+/// A unit that is simulated by itself, at some time of its simulation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Apart {
+    /// The unit, such as `rasterizer 3`.
+    pub unit: String,
+    /// The time in picoseconds. Clocks in which nothing happens may be left out, so it is not the time of the machine.
+    pub time: u64,
 }
 
 /// A value of the hardware beside the one that a plain model gives for the same inputs.
@@ -115,7 +126,7 @@ mod tests {
         let values =
             vec![Compared { what: "depth", hardware: hardware.to_owned(), golden: golden.map(ToOwned::to_owned) }];
         let (unit, does, clock) = ("PE 3".to_owned(), "draws".to_owned(), "clk".to_owned());
-        Step { primitive: None, unit, block: "pe", does, clock, cycle: time / 10, time, net: None, values }
+        Step { primitive: None, unit, block: "pe", does, clock, cycle: time / 10, time, net: None, values, apart: None }
     }
 
     #[test]

@@ -53,6 +53,7 @@ mod tests {
             time: 10_000,
             net: Some(net.to_owned()),
             values: Vec::new(),
+            apart: None,
         }
     }
 

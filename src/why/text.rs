@@ -163,6 +163,7 @@ pub fn json(told: &Told, commands: &[String]) -> Value {
             "net": it.net,
             "values": it.values.iter().map(value).collect::<Vec<_>>(),
             "differs": it.differs(),
+            "simulation": it.apart.as_ref().map(|apart| json!({ "unit": apart.unit, "picoseconds": apart.time })),
         })
     };
     let first = way.first_difference().and_then(|first| way.steps.iter().position(|it| std::ptr::eq(it, first)));
@@ -204,6 +205,7 @@ mod tests {
             time,
             net: Some(format!("u_{block}.nearer")),
             values: vec![Compared { what: "word", hardware: hardware.to_owned(), golden: Some(golden.to_owned()) }],
+            apart: None,
         };
         let steps = vec![
             step(160_000, "image-memory", "5", "5"),

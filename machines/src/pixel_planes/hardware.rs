@@ -7,9 +7,10 @@ use tilewright_rtl::pixel_planes::renderer::{Renderer, RendererIn, RendererOut};
 use tilewright_rtl::pixel_planes::{PERIOD, fields};
 use tilewright_sim::{EngineKind, IntoValue, Simulation};
 
-use super::following::{Observer, Pictured};
+use super::following::{self, Observer, Pictured};
 use super::model::RendererTiming;
 use crate::error::Error;
+use crate::tracer::Tracer;
 
 /// A renderer in simulation, and the model's clocks for it.
 pub(super) struct Course<'a> {
@@ -44,8 +45,8 @@ impl Course<'_> {
     pub fn run(
         &self,
         renderer: &Renderer,
-        engine: EngineKind,
-        side_by_side: bool,
+        (engine, side_by_side): (EngineKind, bool),
+        tracer: Option<&Tracer>,
         go_on: &dyn Fn(usize, u64) -> Result<(), Error>,
         mut observer: Option<&mut Observer>,
     ) -> Result<Vec<impl IntoValue + Send + use<>>, Error> {
@@ -55,6 +56,9 @@ impl Course<'_> {
         sim.set(sim.i.side_by_side, side_by_side);
         sim.set(sim.o.planes.ready, false);
         sim.try_reset()?;
+        if let Some(tracer) = tracer {
+            tracer.attach(&following::renderer(self.number), &mut sim)?;
+        }
 
         let instructions: Vec<&Instruction<u64>> = self.regions.iter().flat_map(|(_, program)| *program).collect();
         let (mut done, mut looked, mut sent) = (Done::default(), 0, Vec::with_capacity(self.timing.planes.len()));
@@ -190,6 +194,11 @@ impl Frames {
         Ok(Frames { sim })
     }
 
+    /// Begins a waveform of it, if it is traced.
+    pub fn trace(&mut self, tracer: &Tracer) -> Result<(), Error> {
+        tracer.attach(following::FRAME_BUFFER, &mut self.sim)
+    }
+
     /// Writes the planes of a line to their place; each takes a clock. A followed pixel is looked at, with the clock of the last plane.
     pub fn put(
         &mut self,
@@ -198,6 +207,7 @@ impl Frames {
         pictured: Option<(&mut Pictured, u64)>,
     ) -> Result<(), Error> {
         let mut word = 0;
+        let followed = pictured.as_ref().map(|(pictured, _)| &**pictured).filter(|it| it.is_here(region, line));
         let port = self.sim.i.planes.payload;
         self.sim.set(port.region, region as u64);
         self.sim.set(port.line, line as u64);
@@ -205,14 +215,15 @@ impl Frames {
         for (plane, bits) in planes.enumerate() {
             self.sim.set(port.plane, plane as u64);
             self.sim.set(port.bits, bits);
-            if let Some((pictured, _)) = &pictured {
+            if let Some(pictured) = followed {
                 word |= pictured.bit(&mut self.sim) << plane;
             }
             self.sim.try_step()?;
         }
         self.sim.set(self.sim.i.planes.valid, false);
+        let is_followed = followed.is_some();
         if let Some((pictured, clock)) = pictured {
-            let came = pictured.is_here(region, line).then_some(word);
+            let came = is_followed.then_some(word);
             pictured.look(&self.sim, clock, came);
         }
         Ok(())

@@ -25,6 +25,7 @@ use crate::error::Error;
 use crate::history::Recorder;
 use crate::run::Watch;
 use crate::threads::{Heard, all_threads, on_threads_heard};
+use crate::tracer::Tracer;
 use crate::way::Follower;
 
 /// The name of a frame in progress and errors.
@@ -51,6 +52,7 @@ pub struct Machine {
     engine: EngineKind,
     recorder: Option<Recorder>,
     follower: Option<Follower>,
+    tracer: Option<Tracer>,
 }
 
 impl Machine {
@@ -63,7 +65,7 @@ impl Machine {
         config.ring()?;
         config.frame_buffer()?;
         config.check_geometry()?;
-        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None, follower: None })
+        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None, follower: None, tracer: None })
     }
 
     /// The same on another engine.
@@ -96,6 +98,11 @@ impl Machine {
     pub fn following(mut self, follower: &Follower) -> Machine {
         self.follower = Some(follower.clone());
         self
+    }
+
+    /// The same machine with a tracer of a unit, as a [`Step`](crate::Step) of a followed pixel names it.
+    pub fn traced(self, tracer: &Tracer) -> Machine {
+        Machine { tracer: Some(tracer.clone()), ..self }
     }
 
     /// Renders a frame. Returns the picture in the frame buffer, and the report.
@@ -234,6 +241,7 @@ impl Machine {
         let Watch { progress, cancel } = watch;
         let cancel = *cancel;
         let observed = observed.map(|(number, observer)| (number, Mutex::new(observer)));
+        let choices = (self.engine, self.config.side_by_side);
         let work = |course: &Course, say: &dyn Fn((u64, u64))| {
             let go_on = |handshakes: usize, clock: u64| {
                 say((handshakes as u64, clock));
@@ -243,7 +251,7 @@ impl Machine {
             let observed = observed.as_ref().filter(|(number, _)| *number == course.number);
             let mut observer = observed.map(|(_, it)| it.lock().unwrap_or_else(PoisonError::into_inner));
             let observer = observer.as_mut().map(|it| &mut ***it);
-            (course.number, course.run(&renderer, self.engine, self.config.side_by_side, &go_on, observer))
+            (course.number, course.run(&renderer, choices, self.tracer.as_ref(), &go_on, observer))
         };
         on_threads_heard(all_threads(), &courses, cancel, work, |heard| match heard {
             Heard::Said((handshakes, clock)) => {
@@ -277,6 +285,9 @@ impl Machine {
         lines.sort_unstable();
         let mut sent: Vec<_> = sent.into_iter().map(Vec::into_iter).collect();
         let mut frames = Frames::new(&self.config.frame_buffer()?, self.engine)?;
+        if let Some(tracer) = &self.tracer {
+            frames.trace(tracer)?;
+        }
         for (clock, number, region, line) in lines {
             let last = clock + word as u64 - 1;
             let pictured = pictured.as_deref_mut();

@@ -26,6 +26,7 @@ use super::works::{Drawing, Works};
 use crate::error::Error;
 use crate::history::{History, Recorder};
 use crate::run::Watch;
+use crate::tracer::Tracer;
 use crate::way::Follower;
 use run::Run;
 
@@ -56,6 +57,7 @@ pub struct Machine {
     recorder: Option<Recorder>,
     spare: Spare,
     follower: Option<Follower>,
+    tracer: Option<Tracer>,
 }
 
 impl Machine {
@@ -66,7 +68,14 @@ impl Machine {
     pub fn new(config: Config) -> Result<Machine, Error> {
         config.roles()?;
         config.pixels()?;
-        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None, spare: Spare::default(), follower: None })
+        Ok(Machine {
+            config,
+            engine: EngineKind::Compiled,
+            recorder: None,
+            spare: Spare::default(),
+            follower: None,
+            tracer: None,
+        })
     }
 
     /// The same on another engine.
@@ -101,6 +110,12 @@ impl Machine {
     pub fn following(mut self, follower: &Follower) -> Machine {
         self.follower = Some(follower.clone());
         self
+    }
+
+    /// The same machine with a tracer of a unit, as a [`Step`](crate::Step) of a followed pixel names it.
+    pub fn traced(self, tracer: &Tracer) -> Machine {
+        // The time of a new simulation begins at 0.
+        Machine { tracer: Some(tracer.clone()), spare: Spare::default(), ..self }
     }
 
     /// Another machine on the same engine. If its arrays have the same size, it reuses the simulated arrays of this one, which is faster than making new ones.
@@ -214,6 +229,9 @@ impl Machine {
     ) -> Result<(Picture, Report), Error> {
         let pixel = self.follower.as_ref().and_then(|follower| Pixel::new(works, follower.pixel));
         let mut run = Run::new(&self.config, self.engine, &self.spare, works, self.recorder.is_some(), pixel)?;
+        if let Some(tracer) = &self.tracer {
+            run.trace(tracer)?;
+        }
         let ended = draw(&mut run, background, watch);
         if let (Some(follower), Some(pixel)) = (&self.follower, pixel) {
             let shown = ended.as_ref().ok().map(|(picture, ..)| picture.words[pixel.number]);

@@ -81,7 +81,7 @@ impl<'a> Whole<'a> {
 
     /// Runs until the frame is in the frame buffer.
     pub fn run(&mut self) {
-        while self.seen.stored.len() < self.works.regions() || self.store.is_busy() {
+        while self.seen.stored.len() < self.works.regions() || self.store.unit.is_busy {
             assert!(self.tick < 2_000_000, "it hangs: {:?}", self.seen);
             self.step();
         }

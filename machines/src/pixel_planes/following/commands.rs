@@ -3,12 +3,12 @@
 use std::collections::VecDeque;
 
 use tilewright_hdl::Codes;
-use tilewright_rtl::pixel_planes::instruction::{Instruction, Operation};
+use tilewright_rtl::pixel_planes::instruction::{Instruction, Microcode, Operation};
 use tilewright_rtl::pixel_planes::pixel::{Enabling, Mask, Source};
 use tilewright_rtl::pixel_planes::schedule::{Schedule, Step as Clocks, Times};
 
 use super::bit_of;
-use crate::trail::Checks;
+use crate::told::Checks;
 
 /// The nets of a controller that are looked at, after its path.
 pub(super) const NETS: [&str; 28] = [
@@ -52,6 +52,7 @@ pub(super) struct Taken {
     /// Its number, of all that were taken.
     pub number: usize,
     pub instruction: Instruction<u64>,
+    pub code: Microcode<u64>,
     pub times: Times,
     /// The coefficients of the curve before it.
     pub curve: [u64; 3],
@@ -59,7 +60,7 @@ pub(super) struct Taken {
 
 impl Taken {
     pub fn is_expression(&self) -> bool {
-        self.instruction.microcode().source == Source::Expression.code()
+        self.code.source == Source::Expression.code()
     }
 
     /// The bit of its word that is sent in that clock.
@@ -77,6 +78,8 @@ pub(super) struct Commands {
     count: usize,
     /// The coefficients of a curve whose expression has not come.
     curve: [u64; 3],
+    /// The instruction that was last offered, and what it needs.
+    offered: Option<(Instruction<u64>, Clocks)>,
     /// Instructions whose bits are under way, to the pixels.
     pub under_way: VecDeque<Taken>,
 }
@@ -89,6 +92,7 @@ impl Commands {
             quadratic,
             count: 0,
             curve: [0; 3],
+            offered: None,
             under_way: VecDeque::new(),
         }
     }
@@ -111,7 +115,7 @@ impl Commands {
         let coefficients = tilewright_rtl::pixel_planes::linear_tree::Coefficients { a, b, c };
         let instruction = Instruction { operation, skip, length, read, write, coefficients };
         let is_instruction = valid == 1 && (operation as usize) < Operation::ALL.len() && (1..=64).contains(&length);
-        let clocks = is_instruction.then(|| Clocks::from(&instruction));
+        let clocks = is_instruction.then(|| self.offers(instruction));
         let may = clocks.map(|step| clock >= self.schedule.ready(&step) && (!step.saves || store_free == 1));
         if let Some(may) = may {
             checks.bit("instructions_ready", ready, may);
@@ -127,9 +131,18 @@ impl Commands {
         taken
     }
 
+    /// What an instruction needs.
+    fn offers(&mut self, instruction: Instruction<u64>) -> Clocks {
+        match self.offered {
+            Some((before, clocks)) if before == instruction => clocks,
+            _ => self.offered.insert((instruction, Clocks::from(&instruction))).1,
+        }
+    }
+
     fn take(&mut self, clock: u64, instruction: Instruction<u64>, step: &Clocks) -> Taken {
         let times = self.schedule.take_at(step, clock);
-        let mut taken = Taken { number: self.count, instruction, times, curve: [0; 3] };
+        let code = instruction.microcode();
+        let mut taken = Taken { number: self.count, instruction, code, times, curve: [0; 3] };
         self.count += 1;
         if instruction.operation == Operation::Curve as u64 {
             let c = instruction.coefficients;
@@ -165,11 +178,10 @@ impl Commands {
             *sent;
         let Some(sent_in) = clock.checked_sub(self.lag) else { return false };
         let words = || self.under_way.iter().filter_map(|it| Some((it, it.bit(sent_in)?)));
-        let on_memory = words().find(|(it, _)| it.instruction.microcode().on_memory == 1);
-        let on_tree = words().find(|(it, _)| it.instruction.microcode().on_tree == 1);
-        let code = on_memory.map(|(it, _)| it.instruction.microcode());
-        let of =
-            |of: fn(&tilewright_rtl::pixel_planes::instruction::Microcode<u64>) -> u64| code.as_ref().map_or(0, of);
+        let on_memory = words().find(|(it, _)| it.code.on_memory == 1);
+        let on_tree = words().find(|(it, _)| it.code.on_tree == 1);
+        let code = on_memory.map(|(it, _)| it.code);
+        let of = |of: fn(&Microcode<u64>) -> u64| code.as_ref().map_or(0, of);
         let (will_mask, will_add, will_compare) = (of(|it| it.mask), of(|it| it.adds), of(|it| it.compares));
         let saves = of(|it| it.saves) == 1;
         checks.same("control_mask", mask, will_mask);
@@ -196,8 +208,7 @@ impl Commands {
                 checks.same("control_write", write, it.instruction.write + bit);
             }
         }
-        let last =
-            on_tree.filter(|(it, bit)| bit + 1 == it.instruction.length).map(|(it, _)| it.instruction.microcode());
+        let last = on_tree.filter(|(it, bit)| bit + 1 == it.instruction.length).map(|(it, _)| it.code);
         checks.same("control_enabling", enabling, last.as_ref().map_or(Enabling::Keep.code(), |code| code.enabling));
         checks.same("control_captures", captures, last.as_ref().map_or(0, |code| code.captures));
         saves

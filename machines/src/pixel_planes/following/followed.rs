@@ -11,7 +11,7 @@ use crate::pixel_planes::bin::Work;
 use crate::pixel_planes::config::Config;
 use crate::pixel_planes::model::Timing;
 use crate::pixel_planes::regions::Regions;
-use crate::trail::{Unit, compared};
+use crate::told::{Unit, value};
 use crate::way::{Step, Way};
 
 /// What is found of a pixel.
@@ -43,9 +43,9 @@ impl<'a> Followed<'a> {
         let parts = of.regions.iter().flat_map(|place| parts(&works[*place], works[*place].region == region)).collect();
         let place = of.regions.iter().position(is_here)?;
         let mut modelled = Vec::new();
-        let mut say = |unit: &str, block, clock, does: &str, what, value: String| {
+        let mut say = |unit: &str, block, clock, does: &str, what, shown: String| {
             let unit = Unit::new(unit, block, ("clk", TICK), "");
-            modelled.push(unit.step(clock, None, does, vec![compared(what, value, None)]));
+            modelled.push(unit.step(clock, None, does, vec![value(what, shown)]));
         };
         let given = of.given[place];
         say(

@@ -15,8 +15,7 @@ use super::commands::{CURVE, Commands, NETS, SAVES, Taken};
 use super::units::{CONTROL, Expressions, Pixel, Store, Stored, TICK};
 use super::wires::Wires;
 use crate::looks::Looks;
-use crate::trail::{Checks, Unit, compared};
-use crate::way::Step;
+use crate::told::{Checks, Told, Unit, value};
 
 /// Clocks at the beginning in which all wires are looked at.
 const CLOCKS_OF_ALL: u64 = 256;
@@ -66,7 +65,7 @@ pub(in crate::pixel_planes) struct Observer<'a> {
     /// The pixel's region, and its line there.
     region: u64,
     line: u64,
-    pub steps: Vec<Step>,
+    pub told: Told,
     pub drawn: BTreeMap<u32, Drawn>,
 }
 
@@ -143,7 +142,7 @@ impl<'a> Observer<'a> {
             lag: renderer.lag().into(),
             region: region as u64,
             line: line.into(),
-            steps: Vec::new(),
+            told: Told::of(super::renderer(number)),
             drawn: BTreeMap::new(),
         }
     }
@@ -152,6 +151,7 @@ impl<'a> Observer<'a> {
     pub fn look(&mut self, sim: &mut Sim, clock: u64) {
         let mut checks = Checks::default();
         self.looks.look(sim);
+        self.told.at(sim.time() + TICK);
         let [queue, controller, tree, _, _] = self.places;
         self.tell_what_ended(sim, clock);
         self.look_at_queue(sim, self.looks.from(queue), &mut checks);
@@ -174,7 +174,7 @@ impl<'a> Observer<'a> {
 
     fn note(&mut self, unit: usize, clock: u64, does: &str, checks: &mut Checks) {
         let step = self.units[unit].differing(clock, does, checks);
-        self.steps.extend(step);
+        self.told.extend(step);
     }
 
     fn look_at_queue(&mut self, sim: &mut Sim, [valid, ready, out_valid, out_ready]: [u64; 4], checks: &mut Checks) {
@@ -257,8 +257,8 @@ impl<'a> Observer<'a> {
     }
 
     fn memory(&mut self, sim: &Sim) -> Memory {
-        let path = format!("{}memory", self.units[3].path);
-        *self.memory.get_or_insert_with(|| sim.memory(&path).expect("a pixel has a memory"))
+        let path = &self.units[3].path;
+        *self.memory.get_or_insert_with(|| sim.memory(&format!("{path}memory")).expect("a pixel has a memory"))
     }
 
     fn look_at_store(&mut self, clock: u64, it: &Stored) {
@@ -266,11 +266,11 @@ impl<'a> Observer<'a> {
         let leaves = self.store.look(clock, it, &mut checks);
         self.note(4, clock, "stores a region and sends it", &mut checks);
         if leaves && out[1] == self.region {
-            let word = compared("word", format!("{:012x}", self.store.word()), None);
-            let region = compared("region", out[1].to_string(), None);
+            let word = value("word", format!("{:012x}", self.store.word()));
+            let region = value("region", out[1].to_string());
             let step =
                 self.units[4].step_at("planes_valid", clock, None, "has sent the pixel's planes", vec![region, word]);
-            self.steps.push(step);
+            self.told.tell(step);
         }
     }
 }

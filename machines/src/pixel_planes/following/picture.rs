@@ -9,7 +9,7 @@ use tilewright_sim::{Memory, Simulation};
 use super::observer::{Drawn, Observer};
 use super::units::TICK;
 use crate::error::Error;
-use crate::trail::{Unit, compared, violated};
+use crate::told::{Told, Unit, compared, violated};
 use crate::way::{Primitive, Step, Way};
 
 /// The frame buffer's word of the pixel.
@@ -25,7 +25,7 @@ pub(in crate::pixel_planes) struct Pictured {
     words: String,
     memory: Option<Memory>,
     word: Option<u64>,
-    pub steps: Vec<Step>,
+    pub told: Told,
 }
 
 impl Pictured {
@@ -44,7 +44,7 @@ impl Pictured {
             words,
             memory: None,
             word: None,
-            steps: Vec::new(),
+            told: Told::of(super::FRAME_BUFFER),
         }
     }
 
@@ -63,14 +63,15 @@ impl Pictured {
         if let Some(word) = came {
             self.word = Some(word);
         }
+        self.told.at(sim.time());
         let memory = *self.memory.get_or_insert_with(|| sim.memory(&self.words).expect("it has lines"));
         let seen = sim.word(memory, self.address).to_u64().unwrap_or(0);
         let Some(right) = self.word else { return };
         let shown = |word: u64| format!("{word:012x}");
-        let values = vec![compared("word", shown(seen), Some(shown(right)))];
+        let values = vec![compared("word", shown(seen), shown(right))];
         if came.is_some() || seen != right {
             let step = self.unit.step_at("word", clock, None, "writes the pixel's word", values);
-            self.steps.push(step);
+            self.told.tell(step);
         }
     }
 
@@ -79,21 +80,16 @@ impl Pictured {
         let seen = words[self.column];
         let right = self.word.unwrap_or(0);
         let [seen, right] = [seen, right].map(|word| format!("{word:012x}"));
-        let step = self.unit.step_at(
-            "words",
-            clock,
-            None,
-            "reads the pixel's word",
-            vec![compared("word", seen, Some(right))],
-        );
-        self.steps.push(step);
+        let step =
+            self.unit.step_at("words", clock, None, "reads the pixel's word", vec![compared("word", seen, right)]);
+        self.told.tell(step);
     }
 
     /// The step of an error.
     pub fn fail(&mut self, clock: u64, error: &Error) {
         let sentence = violated(error).map_or_else(|| error.to_string(), |(_, sentence)| sentence.to_owned());
-        let values = vec![compared("assertion", sentence.as_str(), Some("none fails"))];
-        self.steps.push(self.unit.step(clock, None, "fails", values));
+        let values = vec![compared("assertion", sentence.as_str(), "none fails")];
+        self.told.tell(self.unit.step(clock, None, "fails", values));
     }
 }
 
@@ -107,7 +103,13 @@ pub(in crate::pixel_planes) struct Scene<'a> {
 
 impl Scene<'_> {
     /// The way, with the steps of the units that the model alone has, and the pixel's word in the picture.
-    pub fn into_way(self, observer: Observer, pictured: Pictured, before: Vec<Step>, shown: Option<u64>) -> Way {
+    pub fn into_way(
+        self,
+        mut observer: Observer,
+        mut pictured: Pictured,
+        before: Vec<Step>,
+        shown: Option<u64>,
+    ) -> Way {
         let Scene { polygons, rule, background, .. } = self;
         let primitives =
             primitives(polygons, rule, self.pixel, background, |number| observer.drawn.get(&number).copied());
@@ -115,7 +117,7 @@ impl Scene<'_> {
             step.differs() || step.primitive.is_none_or(|number| primitives.iter().any(|it| it.number == number))
         };
         let mut steps: Vec<Step> =
-            before.into_iter().chain(observer.steps).chain(pictured.steps).filter(is_told).collect();
+            before.into_iter().chain(observer.told.take()).chain(pictured.told.take()).filter(is_told).collect();
         // Stable: steps at the same time keep their sequence.
         steps.sort_by_key(|step| step.time);
         if let Some(shown) = shown {
@@ -123,7 +125,7 @@ impl Scene<'_> {
             let unit = Unit::new("picture", "pixel-planes-5", ("clk", TICK), "");
             let [seen, right] = [shown, golden].map(|word| format!("{word:012x}"));
             let cycle = steps.last().map_or(0, |step| step.time / TICK) + 1;
-            steps.push(unit.step(cycle, None, "has the pixel", vec![compared("word", seen, Some(right))]));
+            steps.push(unit.step(cycle, None, "has the pixel", vec![compared("word", seen, right)]));
         }
         Way { primitives, steps }
     }

@@ -104,8 +104,9 @@ fn blamed(at: u64, fault: impl Fn(&mut Sim), changed: Option<usize>) -> Option<&
         sim.step();
         sent += usize::from(is_taken);
     }
-    assert!(observer.steps.iter().any(|step| step.block == "backing-store"));
-    observer.steps.iter().filter(|step| step.differs()).min_by_key(|step| step.time).map(|step| step.block)
+    let steps = observer.told.take();
+    assert!(steps.iter().any(|step| step.block == "backing-store"));
+    steps.iter().filter(|step| step.differs()).min_by_key(|step| step.time).map(|step| step.block)
 }
 
 #[test]

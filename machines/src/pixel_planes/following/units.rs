@@ -6,7 +6,7 @@ use tilewright_hdl::Codes;
 use tilewright_rtl::pixel_planes::pixel::{Enabling, Mask, PixelProcessor, Source};
 use tilewright_rtl::pixel_planes::{PERIOD, fields};
 
-use crate::trail::Checks;
+use crate::told::Checks;
 
 /// The period of the clock in picoseconds.
 pub(super) const TICK: u64 = PERIOD.picoseconds();

@@ -4,7 +4,7 @@ use tilewright_rtl::pixel_planes::instruction::Instruction;
 
 use super::observer::Sim;
 use crate::looks::Looks;
-use crate::trail::Checks;
+use crate::told::Checks;
 
 /// Pairs of nets of a renderer that have the same values in each clock.
 pub(super) struct Wires {

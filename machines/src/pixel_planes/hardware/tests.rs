@@ -27,7 +27,7 @@ fn followed(change: impl FnOnce(&mut RendererTiming)) -> Result<usize, Error> {
     let mut timing = timing.renderers.into_iter().next().expect("there is one");
     change(&mut timing);
     let course = Course { number: 4, timing: &timing, regions: vec![(6, &program[..]), (6, &program[..])] };
-    course.run(&config.renderer()?, EngineKind::Compiled, true, &|_, _| Ok(()), None).map(|planes| planes.len())
+    course.run(&config.renderer()?, (EngineKind::Compiled, true), None, &|_, _| Ok(()), None).map(|planes| planes.len())
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod tell;
 use std::collections::{BTreeMap, VecDeque};
 
 use tilewright_hdl::Codes;
+use tilewright_rtl::pixelflow::TRANSFER;
 use tilewright_rtl::pixelflow::emulator::Pixel;
 use tilewright_rtl::pixelflow::instruction::Instruction;
 use tilewright_rtl::pixelflow::pixel::{Control, Mask};
@@ -14,7 +15,7 @@ use tilewright_sim::Memory;
 use super::commands::{Commands, FIELDS, Taken, control_of, instruction};
 use crate::looks::Looks;
 use crate::pixelflow::hardware::ArraySimulation as Sim;
-use crate::trail::{Checks, Trail, Unit};
+use crate::told::{Checks, Told, Unit};
 use crate::way::Step;
 
 /// The place of a pixel in an array: the chip and its number there, and the column and the line.
@@ -40,7 +41,7 @@ struct Registers {
 
 /// A node of the pixel.
 pub(in crate::pixelflow) struct ArrayObserver {
-    pub trail: Trail,
+    pub told: Told,
     place: Place,
     /// The words that were drawn, by primitive.
     pub drawn: BTreeMap<usize, u64>,
@@ -62,7 +63,7 @@ pub(in crate::pixelflow) struct ArrayObserver {
     places: [usize; 6],
     pairs: Vec<(&'static str, [usize; 2])>,
     /// The instructions that are of the pixel's region, and are told: the number of their primitive, if they are one's.
-    told: VecDeque<(usize, Vec<Option<usize>>)>,
+    programs: VecDeque<(usize, Vec<Option<usize>>)>,
     shown: Option<Instruction<u64>>,
 }
 
@@ -80,6 +81,7 @@ impl ArrayObserver {
         if !is_array_edge {
             self.ports.look(sim);
         }
+        self.told.at(sim.time() + TRANSFER.picoseconds());
         self.init(sim);
         let clock = tick / 2;
         let mut checks = Checks::default();
@@ -104,7 +106,7 @@ impl ArrayObserver {
     }
 
     fn note(&mut self, unit: usize, clock: u64, does: &str, checks: &mut Checks) {
-        self.trail.extend(self.units[unit].differing(clock, does, checks));
+        self.told.extend(self.units[unit].differing(clock, does, checks));
     }
 
     fn init(&mut self, sim: &Sim) {
@@ -246,7 +248,7 @@ impl ArrayObserver {
             }
             bank.written = [to, port];
             let step = bank.unit.differing(tick / 2, "keeps bytes for array and port", &mut checks);
-            self.trail.extend(step.map(|step| Step { time: tick * 5000, ..step }));
+            self.told.extend(step.map(|step| Step { time: tick * 5000, ..step }));
         }
     }
 }

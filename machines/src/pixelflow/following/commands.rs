@@ -1,37 +1,23 @@
 //! What a node's controller has to send for the instructions that it takes, byte by byte.
 
 use std::collections::VecDeque;
+use std::sync::LazyLock;
 
 use tilewright_hdl::{Bundle, Codes};
-use tilewright_rtl::pixel_planes::schedule::{Schedule, Times};
+use tilewright_rtl::pixel_planes::schedule::{Schedule, Step, Times};
 use tilewright_rtl::pixelflow::emulator::{control, effect, signed};
 use tilewright_rtl::pixelflow::instruction::{Instruction, LONGEST, Sync};
 use tilewright_rtl::pixelflow::pixel::{Control, Enabling, Flagging, Function, Mask, Source};
 use tilewright_rtl::pixelflow::schedule::step;
 
-use crate::trail::Checks;
+use crate::told::Checks;
 
-/// The fields of an instruction at a controller, after its path; then other inputs, and the outputs.
-pub(super) const FIELDS: [&str; 18] = [
-    "instructions_source",
-    "instructions_function",
-    "instructions_begin",
-    "instructions_mask",
-    "instructions_accumulates",
-    "instructions_stores",
-    "instructions_condition",
-    "instructions_enabling",
-    "instructions_flagging",
-    "instructions_skip",
-    "instructions_length",
-    "instructions_descends",
-    "instructions_read",
-    "instructions_write",
-    "instructions_sync",
-    "instructions_a",
-    "instructions_b",
-    "instructions_c",
-];
+/// The fields of an instruction at a controller, after its path.
+pub(super) static FIELDS: LazyLock<Vec<String>> =
+    LazyLock::new(|| names::<Instruction>("instructions", &Instruction::NOTHING));
+/// The fields of the pixels' control.
+pub(super) static CONTROL: LazyLock<Vec<String>> = LazyLock::new(|| names::<Control>("control", &Control::ZERO));
+/// A controller's other inputs, and its outputs.
 pub(super) const NETS: [&str; 12] = [
     "instructions_valid",
     "instructions_ready",
@@ -46,28 +32,13 @@ pub(super) const NETS: [&str; 12] = [
     "given_texture",
     "idle",
 ];
-/// The control of pixels.
-pub(super) const CONTROL: [&str; 13] = [
-    "control_source",
-    "control_constant",
-    "control_function",
-    "control_begin",
-    "control_mask",
-    "control_accumulates",
-    "control_stores",
-    "control_condition",
-    "control_enabling",
-    "control_by_sign",
-    "control_flagging",
-    "control_read",
-    "control_write",
-];
 
 /// An instruction that was taken.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Taken {
     pub number: usize,
     pub instruction: Instruction<u64>,
+    pub step: Step,
     pub times: Times,
 }
 
@@ -168,7 +139,7 @@ impl Commands {
                 self.banks |= bank;
             }
             self.texture |= instruction.sync == Sync::StartTexture as u64;
-            let taken = Taken { number: self.count, instruction, times };
+            let taken = Taken { number: self.count, instruction, step, times };
             self.count += 1;
             self.under_way.push_back(taken);
             taken
@@ -192,25 +163,24 @@ impl Commands {
     /// Compares what of the pixels' control has an effect. Returns what is handed over.
     fn control(&self, clock: u64, sent: [u64; 13], checks: &mut Checks) -> [u64; 2] {
         let Some(sent_in) = clock.checked_sub(self.lag) else { return [0; 2] };
-        let words = || self.under_way.iter().filter_map(|it| Some((it, it.byte(sent_in)?, step(&it.instruction))));
-        let on_memory = words().find(|(.., step)| step.on_memory);
-        let on_tree = words().find(|(.., step)| step.on_tree);
+        let words = || self.under_way.iter().filter_map(|it| Some((it, it.byte(sent_in)?)));
+        let on_memory = words().find(|(it, _)| it.step.on_memory);
+        let on_tree = words().find(|(it, _)| it.step.on_tree);
         let nothing =
             Instruction { flagging: Flagging::Keep.code(), mask: Mask::Nobody.code(), ..Instruction::NOTHING };
         let memory =
-            on_memory.as_ref().map_or_else(|| control(&nothing, 0), |(it, byte, _)| control(&it.instruction, *byte));
-        let tree =
-            on_tree.as_ref().map_or_else(|| control(&nothing, 0), |(it, byte, _)| control(&it.instruction, *byte));
+            on_memory.as_ref().map_or_else(|| control(&nothing, 0), |(it, byte)| control(&it.instruction, *byte));
+        let tree = on_tree.as_ref().map_or_else(|| control(&nothing, 0), |(it, byte)| control(&it.instruction, *byte));
         let right = Control { enabling: tree.enabling, by_sign: tree.by_sign, ..memory };
         let right = fields_of(&effect(&right));
         match control_of(sent).map(|sent| effect(&sent)) {
-            Some(seen) => CONTROL.into_iter().zip(fields_of(&seen)).zip(right).for_each(|((name, seen), right)| {
+            Some(seen) => CONTROL.iter().zip(fields_of(&seen)).zip(right).for_each(|((name, seen), right)| {
                 checks.same(name, seen, right);
             }),
             None => checks.same("control", "no code".to_owned(), "codes".to_owned()),
         }
-        let ends = words().filter(|(it, byte, _)| byte + 1 == it.instruction.length);
-        ends.fold([0; 2], |[banks, texture], (it, ..)| {
+        let ends = words().filter(|(it, byte)| byte + 1 == it.instruction.length);
+        ends.fold([0; 2], |[banks, texture], (it, _)| {
             let i = &it.instruction;
             let bank = if i.sync == Sync::GiveBank as u64 { 1 << (i.c & 1) } else { 0 };
             [banks | bank, texture | u64::from(i.sync == Sync::StartTexture as u64)]
@@ -225,11 +195,22 @@ fn record<B: Bundle, const N: usize>(like: &B::Of<u64>, numbers: [u64; N]) -> B:
 }
 
 /// The numbers of the fields of a control.
-fn fields_of(control: &Control<u64>) -> Vec<u64> {
-    let mut numbers = Vec::new();
+fn fields_of(control: &Control<u64>) -> [u64; 13] {
+    let mut numbers = [0; 13];
+    let mut places = numbers.iter_mut();
     <Control as Bundle>::convert_leaves(control, &mut |number: &u64| {
-        numbers.push(*number);
+        *places.next().expect("a place for each field") = *number;
         *number
     });
     numbers
+}
+
+/// The nets of a port's fields, in their sequence; `like` is any record of its kind.
+fn names<B: Bundle>(port: &str, like: &B::Of<u64>) -> Vec<String> {
+    let mut names = Vec::new();
+    B::convert(like, &mut |field: &str, number: &u64| {
+        names.push(format!("{port}_{}", field.replace('.', "_")));
+        *number
+    });
+    names
 }

@@ -10,15 +10,46 @@ use std::collections::BTreeMap;
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::array::PixelArray;
+use tilewright_sim::{Bundle, Simulation};
 
 pub(super) use array::{ArrayObserver, Place};
 pub(super) use network::NetworkObserver;
 pub(super) use store::StoreObserver;
 pub(super) use texture::TextureObserver;
 
+use super::costs::Ticks;
 use super::works::Works;
-use crate::trail::{Unit, compared};
+use crate::error::Error;
+use crate::told::{Told, Unit, compared, value};
 use crate::way::{Primitive, Step, Way};
+
+/// What observes a simulated unit in each clock, as far as it is about one pixel.
+pub(super) trait Observer<I: Bundle, O: Bundle> {
+    /// Notes the tick of the network.
+    fn now(&mut self, tick: Ticks);
+
+    /// Looks at the unit before the edge of a clock.
+    fn look(&mut self, sim: &mut Simulation<I, O>);
+
+    /// Tells an error that nothing told before.
+    fn fail(&mut self, error: &Error);
+
+    /// What it has told.
+    fn told(&mut self) -> &mut Told;
+}
+
+/// The simulations beside those of arrays.
+pub(super) const FRAME_BUFFER: &str = "frame buffer";
+
+/// The texture unit of the node of that name.
+pub(super) fn texture_unit_of(name: &str) -> String {
+    format!("texture unit of {name}")
+}
+
+/// One of several simulations of the network, which compose different turns.
+pub(super) fn network(number: usize) -> String {
+    format!("network {number}")
+}
 
 /// What banks do with words.
 pub(super) const GETS: &str = "gets the word from the network";
@@ -103,7 +134,7 @@ fn lit(steps: &[Step], light: Light) -> Option<Step> {
     let right = format!("{red:02x}{green:02x}{blue:02x}");
     let (_, name) = sent.unit.split_once(" of ")?;
     let does = "has made the colour of the word: texels, light and highlights".to_owned();
-    let values = vec![compared("colour", colour, Some(&right))];
+    let values = vec![compared("colour", colour, &right)];
     Some(Step { unit: name.to_owned(), block: "pixelflow-node", does, net: None, values, ..sent.clone() })
 }
 
@@ -137,7 +168,7 @@ pub(super) fn way(found: Found, words: Words, light: Light, sample: [u32; 2], sh
             cycle,
             None,
             "has the pixel",
-            vec![compared("colour", format!("{:06x}", shown & 0xff_ffff), None)],
+            vec![value("colour", format!("{:06x}", shown & 0xff_ffff))],
         ));
     }
     Way { primitives, steps }

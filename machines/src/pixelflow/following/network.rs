@@ -1,5 +1,6 @@
 //! A direction of the network in each tick, as far as it is about one pixel.
 
+use tilewright_rtl::pixelflow::TRANSFER;
 use tilewright_rtl::pixelflow::compositor::Mode;
 use tilewright_rtl::pixelflow::network::{NetworkIn, NetworkOut};
 use tilewright_sim::Simulation;
@@ -7,7 +8,7 @@ use tilewright_sim::Simulation;
 use super::array::Place;
 use crate::error::Error;
 use crate::looks::Looks;
-use crate::trail::{Checks, Trail, Unit, compared, violated};
+use crate::told::{Checks, Told, Unit, compared, value, violated};
 use crate::way::Step;
 
 const CLOCK: (&str, u64) = ("network", 5000);
@@ -36,7 +37,7 @@ struct Port {
 
 /// A direction of the network.
 pub(in crate::pixelflow) struct NetworkObserver {
-    pub trail: Trail,
+    pub told: Told,
     place: Place,
     pixels: u64,
     unit: Unit,
@@ -47,8 +48,8 @@ pub(in crate::pixelflow) struct NetworkObserver {
 }
 
 impl NetworkObserver {
-    /// Of a network of that number of nodes.
-    pub fn new(nodes: usize, pixels: usize, place: Place) -> NetworkObserver {
+    /// Of a simulation of that number, of a network of so many nodes.
+    pub fn new(number: usize, nodes: usize, pixels: usize, place: Place) -> NetworkObserver {
         let (mut looks, chip) = (Looks::default(), format!("[{}]", place.chip));
         let port = |number: usize| {
             let path = format!("u_port{number}.");
@@ -81,7 +82,15 @@ impl NetworkObserver {
         };
         let ports = (0..nodes).map(port).collect();
         let unit = Unit::new("network", "network", CLOCK, "");
-        NetworkObserver { trail: Trail::default(), place, pixels: pixels as u64, unit, ports, looks, from: 0 }
+        NetworkObserver {
+            told: Told::of(super::network(number)),
+            place,
+            pixels: pixels as u64,
+            unit,
+            ports,
+            looks,
+            from: 0,
+        }
     }
 
     /// A composition begins in that tick.
@@ -96,6 +105,7 @@ impl NetworkObserver {
     /// Looks at all ports before the edge that ends a tick, counted from the begin.
     pub fn look(&mut self, sim: &mut Simulation<NetworkIn, NetworkOut>, tick: u64) {
         self.looks.look(sim);
+        self.told.at(sim.time() + TRANSFER.picoseconds());
         let tick = self.from + tick;
         let looks = &self.looks;
         let mut checks = Checks::default();
@@ -124,9 +134,9 @@ impl NetworkObserver {
             }
             checks.same("bytes", bytes, from[2]);
         }
-        self.trail.extend(self.unit.differing(tick, "connects its ports", &mut checks));
+        self.told.extend(self.unit.differing(tick, "connects its ports", &mut checks));
         for port in &mut self.ports {
-            port.look(looks, tick, self.pixels, self.place.pixel.into(), &self.trail);
+            port.look(looks, tick, self.pixels, self.place.pixel.into(), &mut self.told);
         }
     }
 
@@ -149,20 +159,20 @@ impl NetworkObserver {
                 upstream
             };
             let values = vec![
-                compared("upstream", hex(upstream), None),
-                compared("own", hex(own), None),
-                compared("downstream", hex(&port.words[2]), Some(hex(right))),
+                value("upstream", hex(upstream)),
+                value("own", hex(own)),
+                compared("downstream", hex(&port.words[2]), hex(right)),
             ];
             let is_last = self.looks.at(port.nets) == Mode::Unload as u64;
             let values = if is_last { values.into_iter().take(1).collect() } else { values };
             let step = port.units[1].step_at("downstream", self.from + tick + number as u64, None, does, values);
-            self.trail.push(step);
+            self.told.tell(step);
         }
     }
 
     /// The step of an error that nothing told before.
     pub fn fail(&mut self, tick: u64, error: &Error) {
-        if self.trail.differs() {
+        if self.told.differs() {
             return;
         }
         let (instance, what) =
@@ -170,13 +180,13 @@ impl NetworkObserver {
         let units = self.ports.iter().flat_map(|port| &port.units);
         let unit = units.into_iter().find(|unit| unit.path.trim_end_matches('.') == instance).unwrap_or(&self.unit);
         let step: Step =
-            unit.step(self.from + tick, None, "fails", vec![compared("assertion", what.as_str(), Some("none fails"))]);
-        self.trail.push(step);
+            unit.step(self.from + tick, None, "fails", vec![compared("assertion", what.as_str(), "none fails")]);
+        self.told.tell(step);
     }
 }
 
 impl Port {
-    fn look(&mut self, looks: &Looks, tick: u64, pixels: u64, here: u64, trail: &Trail) {
+    fn look(&mut self, looks: &Looks, tick: u64, pixels: u64, here: u64, told: &mut Told) {
         let mut checks = Checks::default();
         let [mode, sends, first, up_valid, up_first, pixel, advances, unloaded, valid, down_first, up_byte, own, byte] =
             looks.from(self.nets);
@@ -202,11 +212,11 @@ impl Port {
         ] {
             checks.same(what, to, from);
         }
-        trail.extend(self.units[0].differing(tick, "counts pixels and passes bytes", &mut checks));
+        told.extend(self.units[0].differing(tick, "counts pixels and passes bytes", &mut checks));
         if let Some(right) = self.byte {
             checks.same("downstream", downstream, right);
         }
-        trail.extend(self.units[1].differing(tick, "compares bytes", &mut checks));
+        told.extend(self.units[1].differing(tick, "compares bytes", &mut checks));
 
         if advances == 1 {
             self.pixel = (pixel + 1) % pixels;

@@ -4,17 +4,19 @@ use tilewright_rtl::pixelflow::frame_buffer::{FrameBuffer, FrameBufferIn, FrameB
 use tilewright_sim::Simulation;
 
 use super::array::Place;
+use super::{FRAME_BUFFER, Observer};
 use crate::error::Error;
 use crate::looks::Looks;
-use crate::trail::{Checks, Trail, Unit, compared, violated};
+use crate::pixelflow::costs::Ticks;
+use crate::told::{Checks, Told, Unit, compared, value, violated};
 
 const CLOCK: (&str, u64) = ("clk", 10_000);
 const PORT: [&str; 5] = ["start", "port_pixel", "port_address", "port_writes", "done"];
 
 /// A frame buffer.
 pub(in crate::pixelflow) struct StoreObserver {
-    pub trail: Trail,
-    pub tick: u64,
+    told: Told,
+    tick: Ticks,
     /// The number of the pixel's word in its chip.
     number: u64,
     samples: u64,
@@ -40,7 +42,7 @@ impl StoreObserver {
         let is_one = buffer.samples == 1;
         let side = if is_one { 1 } else { 4 };
         StoreObserver {
-            trail: Trail::default(),
+            told: Told::of(FRAME_BUFFER),
             tick: 0,
             number: if is_one { place.pixel.into() } else { (place.at[0] / 2).into() },
             samples: buffer.samples.into(),
@@ -62,8 +64,57 @@ impl StoreObserver {
         }
     }
 
-    /// Looks at it before the edge of a clock.
-    pub fn look(&mut self, sim: &mut Simulation<FrameBufferIn, FrameBufferOut>) {
+    /// The processor and the register that are read.
+    fn place(&self, round: u64, at: u64) -> [u64; 2] {
+        if self.samples == 1 {
+            return [round, at];
+        }
+        let (sample, register) = (at / 6, at % 6);
+        [(sample >> 1) * 2 * self.pixels + 2 * round + sample % 2, register]
+    }
+
+    fn gather(&mut self, at: u64, seen: u64) {
+        if at == 0 {
+            self.sums = [0; 3];
+        }
+        self.sums[at as usize % 3] += seen;
+        if at + 1 == 3 * self.samples {
+            let half = self.samples / 2;
+            let [blue, green, red] = self.sums.map(|sum| (sum + half) / self.samples);
+            self.colour = Some([red, green, blue]);
+            let values = vec![value("colour", format!("{red:02x}{green:02x}{blue:02x}"))];
+            self.told.tell(self.unit.step_at("seen", self.tick / 2, None, "takes the pixel's colour", values));
+        }
+    }
+
+    /// Compares the colour that is displayed as a pixel of that number.
+    pub fn shows(&mut self, number: usize, colour: [u8; 3]) {
+        if number != self.shown {
+            return;
+        }
+        let right =
+            self.colour.map_or("nothing".to_owned(), |[red, green, blue]| format!("{red:02x}{green:02x}{blue:02x}"));
+        let [red, green, blue] = colour;
+        let values = vec![compared("colour", format!("{red:02x}{green:02x}{blue:02x}"), right)];
+        let cycle = self.tick / 2 + 1 + number as u64;
+        self.told.tell(self.unit.step_at("pixels_valid", cycle, None, "displays the pixel", values));
+    }
+
+    /// The scan has ended after that number of pixels.
+    pub fn ends(&mut self, pixels: usize) {
+        if pixels <= self.shown {
+            let values = vec![compared("colour", "nothing", "a colour")];
+            self.told.tell(self.unit.step_at("pixels_valid", self.tick / 2 + 1, None, "displays the pixel", values));
+        }
+    }
+}
+
+impl Observer<FrameBufferIn, FrameBufferOut> for StoreObserver {
+    fn now(&mut self, tick: Ticks) {
+        self.tick = tick;
+    }
+
+    fn look(&mut self, sim: &mut Simulation<FrameBufferIn, FrameBufferOut>) {
         self.looks.look(sim);
         let mut checks = Checks::default();
         let [start, pixel, address, writes, done, seen] = self.looks.from(0);
@@ -85,7 +136,7 @@ impl StoreObserver {
             }
         }
         let step = self.unit.differing(self.tick / 2, "reads the colours of a region", &mut checks);
-        self.trail.extend(step);
+        self.told.extend(step);
         self.clock = match (start, self.clock) {
             (1, _) => {
                 self.regions += 1;
@@ -96,54 +147,13 @@ impl StoreObserver {
         };
     }
 
-    /// The processor and the register that are read.
-    fn place(&self, round: u64, at: u64) -> [u64; 2] {
-        if self.samples == 1 {
-            return [round, at];
-        }
-        let (sample, register) = (at / 6, at % 6);
-        [(sample >> 1) * 2 * self.pixels + 2 * round + sample % 2, register]
+    fn fail(&mut self, error: &Error) {
+        let Some((_, sentence)) = violated(error).filter(|_| !self.told.differs()) else { return };
+        let values = vec![compared("assertion", sentence, "none fails")];
+        self.told.tell(self.unit.step(self.tick / 2, None, "fails", values));
     }
 
-    fn gather(&mut self, at: u64, seen: u64) {
-        if at == 0 {
-            self.sums = [0; 3];
-        }
-        self.sums[at as usize % 3] += seen;
-        if at + 1 == 3 * self.samples {
-            let half = self.samples / 2;
-            let [blue, green, red] = self.sums.map(|sum| (sum + half) / self.samples);
-            self.colour = Some([red, green, blue]);
-            let values = vec![compared("colour", format!("{red:02x}{green:02x}{blue:02x}"), None)];
-            self.trail.push(self.unit.step_at("seen", self.tick / 2, None, "takes the pixel's colour", values));
-        }
-    }
-
-    /// Compares the colour that is displayed as a pixel of that number.
-    pub fn shows(&mut self, number: usize, colour: [u8; 3]) {
-        if number != self.shown {
-            return;
-        }
-        let right =
-            self.colour.map_or("nothing".to_owned(), |[red, green, blue]| format!("{red:02x}{green:02x}{blue:02x}"));
-        let [red, green, blue] = colour;
-        let values = vec![compared("colour", format!("{red:02x}{green:02x}{blue:02x}"), Some(right))];
-        let cycle = self.tick / 2 + 1 + number as u64;
-        self.trail.push(self.unit.step_at("pixels_valid", cycle, None, "displays the pixel", values));
-    }
-
-    /// The scan has ended after that number of pixels.
-    pub fn ends(&mut self, pixels: usize) {
-        if pixels <= self.shown {
-            let values = vec![compared("colour", "nothing", Some("a colour"))];
-            self.trail.push(self.unit.step_at("pixels_valid", self.tick / 2 + 1, None, "displays the pixel", values));
-        }
-    }
-
-    /// The step of an error that nothing told before.
-    pub fn fail(&mut self, error: &Error) {
-        let Some((_, sentence)) = violated(error).filter(|_| !self.trail.differs()) else { return };
-        let values = vec![compared("assertion", sentence, Some("none fails"))];
-        self.trail.push(self.unit.step(self.tick / 2, None, "fails", values));
+    fn told(&mut self) -> &mut Told {
+        &mut self.told
     }
 }

@@ -121,7 +121,7 @@ fn blamed(at: u64, fault: impl Fn(&mut ArraySimulation)) -> Option<&'static str>
             program.pop();
         }
     }
-    let steps = observer.trail.take();
+    let steps = observer.told.take();
     steps.into_iter().find(Step::differs).map(|step| step.block)
 }
 

@@ -9,9 +9,11 @@ use tilewright_scenes::Texture;
 use tilewright_sim::Simulation;
 
 use super::array::Place;
+use super::{Observer, texture_unit_of};
 use crate::error::Error;
 use crate::looks::Looks;
-use crate::trail::{Checks, Trail, Unit, compared, violated};
+use crate::pixelflow::costs::Ticks;
+use crate::told::{Checks, Told, Unit, compared, violated};
 
 const CLOCK: (&str, u64) = ("clk", 10_000);
 /// Bytes of a request, and of its texels; the register of the first texel; the clocks of the memory.
@@ -24,8 +26,8 @@ const REQUEST: [&str; 6] = ["request_valid", "request_u", "request_v", "request_
 
 /// A texture unit.
 pub(in crate::pixelflow) struct TextureObserver {
-    pub trail: Trail,
-    pub tick: u64,
+    told: Told,
+    tick: Ticks,
     place: Place,
     chips: u64,
     pixels: u64,
@@ -59,7 +61,7 @@ impl TextureObserver {
         let texels: Vec<String> = (0..8).map(|texel| format!("u_memory.texels[{texel}]")).collect();
         looks.add("", texels.iter().map(|it| &**it));
         TextureObserver {
-            trail: Trail::default(),
+            told: Told::of(texture_unit_of(name)),
             tick: 0,
             place,
             chips: array.chips().into(),
@@ -68,7 +70,7 @@ impl TextureObserver {
             followed,
             starts: 0,
             units: [
-                Unit::new(format!("texture unit of {name}"), "texture-unit", CLOCK, ""),
+                Unit::new(texture_unit_of(name), "texture-unit", CLOCK, ""),
                 Unit::new(format!("texture memory of {name}"), "texture-memory", CLOCK, "u_memory."),
             ],
             looks,
@@ -80,8 +82,49 @@ impl TextureObserver {
         }
     }
 
-    /// Looks at it before the edge of a clock.
-    pub fn look(&mut self, sim: &mut Simulation<TextureUnitIn, TextureUnitOut>) {
+    fn is_followed(&self) -> bool {
+        self.starts.checked_sub(1).and_then(|start| self.followed.get(start)) == Some(&true)
+    }
+
+    /// Compares the texels with those of the request before, and notes those of the pixel.
+    fn remember(&mut self, [valid, u, v, level, texture, gives]: [u64; 6], memory: usize, checks: &mut Checks) {
+        let requested = (valid == 1).then(|| self.textures.get(texture as usize).map(|it| around(it, u, v, level)));
+        self.to_come.push_back(requested);
+        let come = self.to_come.pop_front().flatten();
+        checks.bit("valid", gives, come.is_some());
+        let seen: [u64; 8] = self.looks.from(memory + REQUEST.len());
+        if let Some(Some(right)) = come {
+            for (seen, right) in seen.into_iter().zip(right) {
+                checks.same("texels", format!("{seen:06x}"), format!("{right:06x}"));
+            }
+        }
+        let turn = self.chips.max(ASKED + TEXELS);
+        let of_pixel = turn * (u64::from(self.place.pixel) + 1) + u64::from(self.place.chip) + LATENCY as u64;
+        if self.clock == Some(of_pixel) {
+            self.texels = seen;
+            let right = come.flatten().unwrap_or(seen);
+            let text = |texels: [u64; 8]| texels.map(|texel| format!("{texel:06x}")).join(" ");
+            let values = vec![compared("texels", text(seen), text(right))];
+            if !self.is_followed() {
+                return;
+            }
+            self.told.tell(self.units[1].step_at(
+                "valid",
+                self.tick / 2,
+                None,
+                "gives the texels of the pixel",
+                values,
+            ));
+        }
+    }
+}
+
+impl Observer<TextureUnitIn, TextureUnitOut> for TextureObserver {
+    fn now(&mut self, tick: Ticks) {
+        self.tick = tick;
+    }
+
+    fn look(&mut self, sim: &mut Simulation<TextureUnitIn, TextureUnitOut>) {
         self.looks.look(sim);
         let mut checks = Checks::default();
         let [port, memory] = self.places;
@@ -130,14 +173,14 @@ impl TextureObserver {
             }
         }
         let step = self.units[0].differing(clock, "reads requests and writes texels", &mut checks);
-        self.trail.extend(step);
+        self.told.extend(step);
         self.remember(request, memory, &mut checks);
         let step = self.units[1].differing(clock, "reads texels", &mut checks);
-        self.trail.extend(step);
+        self.told.extend(step);
         if let Some([u, v, level, texture]) = tells.filter(|_| self.is_followed()) {
             let values = [("u", u), ("v", v), ("level", level), ("texture", texture)];
-            let values = values.map(|(what, value)| compared(what, value, Some(value))).to_vec();
-            self.trail.push(self.units[0].step_at(
+            let values = values.map(|(what, value)| compared(what, value, value)).to_vec();
+            self.told.tell(self.units[0].step_at(
                 "u_memory.request_u",
                 clock,
                 None,
@@ -155,48 +198,15 @@ impl TextureObserver {
         };
     }
 
-    fn is_followed(&self) -> bool {
-        self.starts.checked_sub(1).and_then(|start| self.followed.get(start)) == Some(&true)
-    }
-
-    /// Compares the texels with those of the request before, and notes those of the pixel.
-    fn remember(&mut self, [valid, u, v, level, texture, gives]: [u64; 6], memory: usize, checks: &mut Checks) {
-        let requested = (valid == 1).then(|| self.textures.get(texture as usize).map(|it| around(it, u, v, level)));
-        self.to_come.push_back(requested);
-        let come = self.to_come.pop_front().flatten();
-        checks.bit("valid", gives, come.is_some());
-        let seen: [u64; 8] = self.looks.from(memory + REQUEST.len());
-        if let Some(Some(right)) = come {
-            for (seen, right) in seen.into_iter().zip(right) {
-                checks.same("texels", format!("{seen:06x}"), format!("{right:06x}"));
-            }
-        }
-        let turn = self.chips.max(ASKED + TEXELS);
-        let of_pixel = turn * (u64::from(self.place.pixel) + 1) + u64::from(self.place.chip) + LATENCY as u64;
-        if self.clock == Some(of_pixel) {
-            self.texels = seen;
-            let right = come.flatten().unwrap_or(seen);
-            let text = |texels: [u64; 8]| texels.map(|texel| format!("{texel:06x}")).join(" ");
-            let values = vec![compared("texels", text(seen), Some(text(right)))];
-            if !self.is_followed() {
-                return;
-            }
-            self.trail.push(self.units[1].step_at(
-                "valid",
-                self.tick / 2,
-                None,
-                "gives the texels of the pixel",
-                values,
-            ));
-        }
-    }
-
-    /// The step of an error that nothing told before.
-    pub fn fail(&mut self, error: &Error) {
-        let Some((instance, sentence)) = violated(error).filter(|_| !self.trail.differs()) else { return };
+    fn fail(&mut self, error: &Error) {
+        let Some((instance, sentence)) = violated(error).filter(|_| !self.told.differs()) else { return };
         let unit = &self.units[usize::from(instance == "u_memory")];
-        let values = vec![compared("assertion", sentence, Some("none fails"))];
-        self.trail.push(unit.step(self.tick / 2, None, "fails", values));
+        let values = vec![compared("assertion", sentence, "none fails")];
+        self.told.tell(unit.step(self.tick / 2, None, "fails", values));
+    }
+
+    fn told(&mut self) -> &mut Told {
+        &mut self.told
     }
 }
 

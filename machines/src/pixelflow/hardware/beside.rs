@@ -5,7 +5,9 @@ use super::store::FrameStore;
 use super::texture::TextureLookUp;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
-use crate::trail::Trail;
+use crate::pixelflow::following::{FRAME_BUFFER, texture_unit_of};
+use crate::tracer::Tracer;
+use crate::way::Step;
 
 /// The unit at a texture port.
 pub(in crate::pixelflow) enum Beside {
@@ -22,8 +24,8 @@ impl Beside {
     pub fn is_busy(&self) -> bool {
         match self {
             Beside::Nobody => false,
-            Beside::Texture(texture) => texture.is_busy(),
-            Beside::Store(store) => store.is_busy(),
+            Beside::Texture(texture) => texture.unit.is_busy,
+            Beside::Store(store) => store.unit.is_busy,
         }
     }
 
@@ -40,21 +42,33 @@ impl Beside {
         }
     }
 
+    /// Begins a waveform of it, if that is what is traced.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn trace(&mut self, tracer: &Tracer, of: &str) -> Result<(), Error> {
+        match self {
+            Beside::Nobody => Ok(()),
+            Beside::Texture(texture) => tracer.attach(&texture_unit_of(of), &mut texture.unit.sim),
+            Beside::Store(store) => tracer.attach(FRAME_BUFFER, &mut store.unit.sim),
+        }
+    }
+
     /// Tells the observer of a pixel the tick.
     pub fn now(&mut self, tick: Ticks) {
         match self {
             Beside::Nobody => {}
-            Beside::Texture(texture) => texture.now(tick),
-            Beside::Store(store) => store.now(tick),
+            Beside::Texture(texture) => texture.unit.now(tick),
+            Beside::Store(store) => store.unit.now(tick),
         }
     }
 
-    /// The steps of a pixel that is followed.
-    pub fn trail(&self) -> Option<&Trail> {
+    /// Takes the steps of a pixel that is followed.
+    pub fn take_steps(&mut self) -> Vec<Step> {
         match self {
-            Beside::Nobody => None,
-            Beside::Texture(texture) => texture.trail(),
-            Beside::Store(store) => store.trail(),
+            Beside::Nobody => Vec::new(),
+            Beside::Texture(texture) => texture.unit.take_steps(),
+            Beside::Store(store) => store.unit.take_steps(),
         }
     }
 

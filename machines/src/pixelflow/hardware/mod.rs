@@ -4,6 +4,7 @@ mod beside;
 mod composition;
 mod network;
 mod node;
+mod observed;
 mod spare;
 mod store;
 mod texture;

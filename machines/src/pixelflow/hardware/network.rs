@@ -9,7 +9,8 @@ use tilewright_sim::{EngineKind, Simulation};
 use super::Words;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
-use crate::pixelflow::following::NetworkObserver;
+use crate::pixelflow::following::{self, NetworkObserver};
+use crate::tracer::Tracer;
 
 /// One direction of the network.
 pub(in crate::pixelflow) struct Way {
@@ -34,6 +35,14 @@ impl Way {
         }
         sim.try_reset()?;
         Ok(Way { sim, nodes, chips: array.chips(), pixels: array.pixels() as usize, observer: None })
+    }
+
+    /// Begins a waveform of it, if the simulation of that number is traced.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn trace(&mut self, tracer: &Tracer, number: usize) -> Result<(), Error> {
+        tracer.attach(&following::network(number), &mut self.sim)
     }
 
     /// Sends words from the first node that has some to a node after all of these; the others compose. Returns the words at that node.

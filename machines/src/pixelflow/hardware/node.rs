@@ -1,6 +1,8 @@
 //! A node's array in simulation. It gets instructions, and the network reads and writes its registers.
 
+mod banks;
 mod following;
+mod skipping;
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -9,6 +11,9 @@ use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
 use tilewright_rtl::pixelflow::instruction::{Instruction, Sync};
 use tilewright_sim::Simulation;
+
+pub(in crate::pixelflow) use banks::Access;
+use banks::Bank;
 
 use super::beside::Beside;
 use super::words::Words;
@@ -20,30 +25,6 @@ use crate::pixelflow::works::Mark;
 
 /// An array in simulation.
 pub(in crate::pixelflow) type ArraySimulation = Simulation<PixelArrayIn, PixelArrayOut>;
-
-/// An access of the network to a bank, from some tick on: a byte of each chip a tick.
-#[derive(Debug)]
-pub(in crate::pixelflow) struct Access {
-    pub from: Ticks,
-    pub bank: usize,
-    /// Bytes of a word.
-    pub bytes: u64,
-    /// The words that arrive; `None` if the bank's words are sent.
-    pub comes: Option<Words>,
-    /// A pixel of these words is followed.
-    pub is_followed: bool,
-}
-
-/// The accesses of the network to a bank, one after another.
-#[derive(Default)]
-struct Bank {
-    accesses: VecDeque<Access>,
-    /// The ticks of the first access that are done, and the words sent in it.
-    done: Ticks,
-    went: Option<Words>,
-    /// Words that were sent before.
-    sent: VecDeque<Words>,
-}
 
 /// An array, and its current time.
 pub(in crate::pixelflow) struct Node {
@@ -199,10 +180,10 @@ impl Node {
         self.expected.iter().flatten().min().copied()
     }
 
-    fn differs(&self, seen: Ticks, expected: Ticks) -> Error {
+    fn differs(&mut self, seen: Ticks, expected: Ticks) -> Error {
         let signal = "the tick in which a bank is given";
         let error = Error::Differs { unit: self.name.clone(), signal, clock: self.time / 2, seen, expected };
-        if let Some(observer) = &self.observer {
+        if let Some(observer) = &mut self.observer {
             observer.fail(self.time, &error);
         }
         error
@@ -251,26 +232,6 @@ impl Node {
 
     fn is_array_edge(&self) -> bool {
         self.time % 2 == 1
-    }
-
-    /// Advances to the next event, if the array is idle. Network and frame buffer then read constant registers, without a clock of the array.
-    fn leave_out(&mut self) -> Result<(), Error> {
-        if self.rest <= self.latency || self.beside.is_writing() {
-            return Ok(());
-        }
-        let was_there = self.is_there();
-        while self.is_read_alone() && self.is_there() == was_there && self.time <= self.limit {
-            self.pass()?;
-        }
-        let is_at_rest = self.banks.iter().all(|bank| bank.done == 0) && !self.beside.is_busy();
-        let next = self.banks.iter().filter_map(|bank| Some(bank.accesses.front()?.from));
-        let next = next.chain(self.ended.front().map(|(time, _)| *time));
-        let next = next.chain(Some(self.there).filter(|_| !self.is_there())).min();
-        if let Some(next) = next.filter(|_| is_at_rest) {
-            // An even number of ticks, so that the clocks stay in step.
-            self.time += next.saturating_sub(self.time) / 2 * 2;
-        }
-        Ok(())
     }
 
     /// Counts the clock. Returns whether the array is idle.
@@ -324,34 +285,6 @@ impl Node {
         self.sim.set_record(self.sim.i.instructions.payload, *instruction);
     }
 
-    /// Whether network or frame buffer reads, nothing is written, and the array will be told nothing for two more ticks.
-    fn is_read_alone(&mut self) -> bool {
-        let (time, pixels) = (self.time, self.pixels);
-        let is_under_way = |bank: &&Bank| bank.accesses.front().is_some_and(|access| access.from <= time + 1);
-        let is_read = |bank: &Bank| {
-            let access = bank.accesses.front().expect("it is under way");
-            access.from <= time && access.comes.is_none() && bank.done + 2 < access.bytes * pixels
-        };
-        let mut under_way = self.banks.iter().filter(is_under_way).peekable();
-        let some = under_way.peek().is_some() || self.beside.is_busy();
-        let is_told = self.ended.front().is_some_and(|(told, _)| *told <= time + 2);
-        some && under_way.all(is_read) && !is_told && !self.beside.is_ending()
-    }
-
-    /// Skips two ticks of the network and a clock of the frame buffer, and reads their registers.
-    fn pass(&mut self) -> Result<(), Error> {
-        for _ in 0..2 {
-            for bank in 0..2 {
-                self.transfer(bank);
-            }
-            self.time += 1;
-        }
-        self.beside.clock(&mut self.sim)?;
-        // The array waits for it.
-        self.works(self.beside.is_busy(), self.time - 3);
-        Ok(())
-    }
-
     /// A tick of the network, and with every second one a clock of the array.
     fn tick(&mut self) -> Result<(), Error> {
         let ends = [0, 1].map(|bank| self.transfer(bank));
@@ -360,7 +293,7 @@ impl Node {
         }
         if let Err(error) = self.sim.try_step() {
             let error = error.into();
-            if let Some(observer) = &self.observer {
+            if let Some(observer) = &mut self.observer {
                 observer.fail(self.time, &error);
             }
             return Err(error);
@@ -379,51 +312,5 @@ impl Node {
             self.ended.push_back((Timing::told(self.time), number));
         }
         Ok(())
-    }
-
-    /// Tells the array of an ended access in the next clock.
-    fn tell_what_ended(&mut self) {
-        let mut banks = 0;
-        while let Some((_, bank)) = self.ended.pop_front_if(|(time, _)| *time <= self.time) {
-            banks |= 1_u64 << bank;
-            self.claimed[bank] = false;
-        }
-        self.sim.set(self.sim.i.bank_done, banks);
-    }
-
-    /// Transfers the next byte of each chip of a bank, if an access is active. Returns whether it is the last.
-    fn transfer(&mut self, number: usize) -> bool {
-        let bank = &mut self.banks[number];
-        let Some(access) = bank.accesses.front().filter(|access| access.from <= self.time) else { return false };
-        let (byte, pixel) = (bank.done / self.pixels, bank.done % self.pixels);
-        let port = self.sim.i.network[number];
-        if pixel == 0 {
-            self.sim.set(port.address, access.bytes - 1 - byte);
-        }
-        self.sim.set(port.pixel, pixel);
-        match &access.comes {
-            None => {
-                let all = access.bytes * self.pixels;
-                let went = bank.went.get_or_insert_with(|| Words::new(self.chips, all as usize));
-                went.push(self.sim.limbs(self.sim.o.network_seen[number]));
-                if let Some(observer) = &mut self.observer
-                    && let Some(chip) = observer.chip_of(pixel)
-                {
-                    observer.read(
-                        self.time,
-                        number,
-                        access.bytes - 1 - byte,
-                        went.byte(went.len() - 1, chip),
-                        "is read by the network",
-                    );
-                }
-            }
-            Some(words) => {
-                self.sim.set(port.writes, true);
-                self.sim.set(port.bytes, words.get(bank.done as usize).expect("they are whole"));
-            }
-        }
-        bank.done += 1;
-        bank.done == access.bytes * self.pixels
     }
 }

@@ -5,18 +5,14 @@ use tilewright_rtl::pixelflow::frame_buffer::{FrameBufferIn, FrameBufferOut};
 use tilewright_rtl::pixelflow::registers::PortAccess;
 use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
+use super::observed::Observed;
 use crate::error::Error;
-use crate::pixelflow::costs::Ticks;
-use crate::pixelflow::following::StoreObserver;
+use crate::pixelflow::following::{Observer, StoreObserver};
 use crate::pixelflow::works::Works;
-use crate::trail::Trail;
 
 /// A frame buffer.
 pub(in crate::pixelflow) struct FrameStore {
-    sim: Simulation<FrameBufferIn, FrameBufferOut>,
-    is_busy: bool,
-    /// The observer of a pixel that is followed.
-    observer: Option<Box<StoreObserver>>,
+    pub unit: Observed<FrameBufferIn, FrameBufferOut, StoreObserver>,
     pixels: usize,
 }
 
@@ -30,7 +26,7 @@ impl FrameStore {
         sim.set(sim.i.start, false);
         sim.set(sim.o.pixels.ready, false);
         sim.try_reset()?;
-        Ok(FrameStore { sim, is_busy: false, observer: None, pixels: works.size().pixels() })
+        Ok(FrameStore { unit: Observed::new(sim), pixels: works.size().pixels() })
     }
 
     /// Simulates a clock, before that of the array whose registers it reads. Returns whether it has finished.
@@ -44,52 +40,22 @@ impl FrameStore {
         seen: Port,
         starts: bool,
     ) -> Result<bool, Error> {
-        if !starts && !self.is_busy {
+        if !starts && !self.unit.is_busy {
             return Ok(false);
         }
-        let buffer = &mut self.sim;
+        let buffer = &mut self.unit.sim;
         array.set(registers.pixel, buffer.get_u64(buffer.o.port.pixel));
         array.set(registers.address, buffer.get_u64(buffer.o.port.address));
         buffer.set(buffer.i.start, starts);
         buffer.set(buffer.i.seen, array.limbs(seen));
         let is_done = buffer.get_u64(buffer.o.done) == 1;
-        if let Some(observer) = &mut self.observer {
-            observer.look(buffer);
-        }
-        let stepped = buffer.try_step().map_err(Error::from);
-        if let (Err(error), Some(observer)) = (&stepped, &mut self.observer) {
-            observer.fail(error);
-        }
-        stepped?;
-        self.is_busy = !is_done;
+        self.unit.clock(is_done)?;
         Ok(is_done)
-    }
-
-    /// Follows a pixel.
-    pub fn follow(&mut self, observer: StoreObserver) {
-        self.observer = Some(Box::new(observer));
-    }
-
-    /// Tells the observer the tick.
-    pub fn now(&mut self, tick: Ticks) {
-        if let Some(observer) = &mut self.observer {
-            observer.tick = tick;
-        }
-    }
-
-    /// The steps of the pixel.
-    pub fn trail(&self) -> Option<&Trail> {
-        self.observer.as_ref().map(|observer| &observer.trail)
-    }
-
-    /// Whether it works.
-    pub fn is_busy(&self) -> bool {
-        self.is_busy
     }
 
     /// Whether it ends with the next clock.
     pub fn is_ending(&mut self) -> bool {
-        self.is_busy && self.sim.get_u64(self.sim.o.done) == 1
+        self.unit.is_busy && self.unit.sim.get_u64(self.unit.sim.o.done) == 1
     }
 
     /// The displayed frame, line by line, once it has all regions.
@@ -97,27 +63,26 @@ impl FrameStore {
     /// # Errors
     /// [`Error::Simulation`]; [`Error::Differs`]: there are fewer pixels.
     pub fn scan(&mut self) -> Result<Vec<[u8; 3]>, Error> {
-        let (sim, mut shown) = (&mut self.sim, Vec::with_capacity(self.pixels));
+        let (unit, mut shown) = (&mut self.unit, Vec::with_capacity(self.pixels));
+        let sim = &mut unit.sim;
         sim.set(sim.i.start, false);
         sim.set(sim.o.pixels.ready, true);
         // The two frames swap, and the first pixel is read.
         for _ in 0..self.pixels + 4 {
+            let sim = &mut unit.sim;
             let pixels = sim.o.pixels;
             if sim.get_u64(pixels.valid) == 1 && shown.len() < self.pixels {
                 let colour = [pixels.payload.red, pixels.payload.green, pixels.payload.blue];
                 let colour = colour.map(|port| sim.get_u64(port) as u8);
-                if let Some(observer) = &mut self.observer {
+                if let Some(observer) = &mut unit.observer {
+                    observer.told().at(sim.time() + ARRAY.period.picoseconds());
                     observer.shows(shown.len(), colour);
                 }
                 shown.push(colour);
             }
-            let stepped = sim.try_step().map_err(Error::from);
-            if let (Err(error), Some(observer)) = (&stepped, &mut self.observer) {
-                observer.fail(error);
-            }
-            stepped?;
+            unit.step()?;
         }
-        if let Some(observer) = &mut self.observer {
+        if let Some(observer) = &mut unit.observer {
             observer.ends(shown.len());
         }
         if shown.len() == self.pixels {

@@ -9,17 +9,13 @@ use tilewright_rtl::pixelflow::texture_unit::{TextureUnit, TextureUnitIn, Textur
 use tilewright_scenes::Texture;
 use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
+use super::observed::Observed;
 use crate::error::Error;
-use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::following::TextureObserver;
-use crate::trail::Trail;
 
 /// A texture unit with textures in its memory.
 pub(in crate::pixelflow) struct TextureLookUp {
-    sim: Simulation<TextureUnitIn, TextureUnitOut>,
-    is_busy: bool,
-    /// The observer of a pixel that is followed.
-    observer: Option<Box<TextureObserver>>,
+    pub unit: Observed<TextureUnitIn, TextureUnitOut, TextureObserver>,
 }
 
 impl TextureLookUp {
@@ -48,7 +44,7 @@ impl TextureLookUp {
             sim.set(port, false);
         }
         sim.try_reset()?;
-        let mut unit = TextureLookUp { sim, is_busy: false, observer: None };
+        let mut unit = TextureLookUp { unit: Observed::new(sim) };
         let mut base = 0;
         for (number, texture) in textures.enumerate() {
             unit.write(number as u64, base, texture)?;
@@ -58,7 +54,7 @@ impl TextureLookUp {
     }
 
     fn write(&mut self, number: u64, base: u64, texture: &Texture) -> Result<(), Error> {
-        let sim = &mut self.sim;
+        let sim = &mut self.unit.sim;
         let (describe, write) = (sim.i.describe, sim.i.write);
         sim.set(describe.texture, number);
         sim.set(describe.base, base);
@@ -87,28 +83,6 @@ impl TextureLookUp {
         TextureUnit { chips: array.chips(), pixels: array.pixels(), memory }.clocks()
     }
 
-    /// Follows a pixel.
-    pub fn follow(&mut self, observer: TextureObserver) {
-        self.observer = Some(Box::new(observer));
-    }
-
-    /// Tells the observer the tick.
-    pub fn now(&mut self, tick: Ticks) {
-        if let Some(observer) = &mut self.observer {
-            observer.tick = tick;
-        }
-    }
-
-    /// The steps of the pixel.
-    pub fn trail(&self) -> Option<&Trail> {
-        self.observer.as_ref().map(|observer| &observer.trail)
-    }
-
-    /// Whether it works.
-    pub fn is_busy(&self) -> bool {
-        self.is_busy
-    }
-
     /// Simulates a clock of the unit, before that of the array whose registers it reads and writes. Returns whether it has finished.
     ///
     /// # Errors
@@ -120,11 +94,11 @@ impl TextureLookUp {
         seen: Port,
         starts: bool,
     ) -> Result<bool, Error> {
-        if !starts && !self.is_busy {
+        if !starts && !self.unit.is_busy {
             array.set(registers.writes, false);
             return Ok(false);
         }
-        let unit = &mut self.sim;
+        let unit = &mut self.unit.sim;
         let port = unit.o.port;
         array.set(registers.pixel, unit.get_u64(port.pixel));
         array.set(registers.address, unit.get_u64(port.address));
@@ -137,15 +111,7 @@ impl TextureLookUp {
         }
         unit.set(unit.i.start, starts);
         let is_done = unit.get_u64(unit.o.done) == 1;
-        if let Some(observer) = &mut self.observer {
-            observer.look(unit);
-        }
-        let stepped = unit.try_step().map_err(Error::from);
-        if let (Err(error), Some(observer)) = (&stepped, &mut self.observer) {
-            observer.fail(error);
-        }
-        stepped?;
-        self.is_busy = !is_done;
+        self.unit.clock(is_done)?;
         Ok(is_done)
     }
 }

@@ -18,6 +18,7 @@ use crate::pixelflow::model::{Built, Timing};
 use crate::pixelflow::report::Report;
 use crate::pixelflow::works::Works;
 use crate::threads::{all_threads, each_mut};
+use crate::tracer::Tracer;
 
 /// Turns that rasterizers draw before the network composes them. Memory has the words of up to twice this number.
 const TURNS: usize = 8;
@@ -115,6 +116,17 @@ impl<'a> Run<'a> {
         Ok(run)
     }
 
+    /// Begins the waveform of a unit.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn trace(&mut self, tracer: &Tracer) -> Result<(), Error> {
+        let shaders = self.shaders.iter_mut().map(|shader| &mut shader.node);
+        let mut nodes = self.rasterizers.iter_mut().chain(shaders).chain([&mut self.holder.node]);
+        nodes.try_for_each(|node| node.trace(tracer))?;
+        (1..).zip(&mut self.ways).try_for_each(|(number, way)| way.trace(tracer, number))
+    }
+
     /// Gives banks to the network before the first turn.
     ///
     /// # Errors
@@ -140,8 +152,9 @@ impl<'a> Run<'a> {
             let starts = self.colours[number - 1].iter().map(|turn| works.region(*turn) == pixel.region).collect();
             shader.node.follow_textures(TextureObserver::new(&name, array, &works.textures, pixel.place, starts));
         }
-        for way in &mut self.ways {
-            let observer = NetworkObserver::new(self.config.nodes as usize, works.pixels_of_chip(), pixel.place);
+        for (number, way) in (1..).zip(&mut self.ways) {
+            let observer =
+                NetworkObserver::new(number, self.config.nodes as usize, works.pixels_of_chip(), pixel.place);
             way.observer = Some(Box::new(observer));
         }
         Ok(())
@@ -155,7 +168,7 @@ impl<'a> Run<'a> {
             rasterizers.chain(self.shaders.iter_mut().map(|shader| &mut shader.node)).chain([&mut self.holder.node]);
         nodes.for_each(|node| node.take_found(&mut found));
         let observers = self.ways.iter_mut().filter_map(|way| way.observer.take());
-        observers.for_each(|observer| found.steps.extend(observer.trail.take()));
+        observers.for_each(|mut observer| found.steps.extend(observer.told.take()));
         found
     }
 

@@ -8,7 +8,7 @@ use tilewright_rtl::merger::STAGES;
 use super::drawing::Drawing;
 use super::image::EMPTY;
 use super::{Followed, Sim, net, word};
-use crate::told::{At, Edge, Told, compared, hex};
+use crate::told::{At, Edge, Told, compared, hex, value};
 use crate::way::Step;
 
 /// Merger clocks within which a local frame buffer's scan follows a swap.
@@ -219,7 +219,7 @@ impl Round {
         let name = format!("u_merger.u_merging_unit[{number}].nearer");
         let nearer = net(sim, &name);
         let [left, right] = self.inputs;
-        let input = |what, word| crate::way::Compared { what, hardware: hex(word), golden: None };
+        let input = |what, word| value(what, hex(word));
         let values =
             vec![input("left", left), input("right", right), compared("nearer", hex(nearer), hex(left.min(right)))];
         let at = At { unit: format!("merging unit {number}"), block: "merging-unit", edge };
@@ -245,10 +245,7 @@ impl Round {
         let stored = word(sim, &name, pixel);
         let old = self.before.unwrap_or_default();
         self.is_changed = stored != old;
-        let values = vec![
-            crate::way::Compared { what: "old word", hardware: hex(old), golden: None },
-            compared("new word", hex(stored), hex(self.inputs[0])),
-        ];
+        let values = vec![value("old word", hex(old)), compared("new word", hex(stored), hex(self.inputs[0]))];
         let at = At { unit: "global frame buffer".to_owned(), block: "gfb-unit", edge };
         self.add(at.step(format!("stores the pixel in bank {}", self.bank), values).on(format!("{name}[{pixel}]")));
     }

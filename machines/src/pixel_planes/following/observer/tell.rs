@@ -8,7 +8,7 @@ use tilewright_rtl::pixel_planes::pixel::{Enabling, Mask, Source};
 use super::super::commands::Taken;
 use super::{Observer, Sim};
 use crate::error::Error;
-use crate::trail::{compared, violated};
+use crate::told::{compared, value, violated};
 
 impl Observer<'_> {
     pub(super) fn takes(&mut self, clock: u64, taken: &Taken) {
@@ -21,9 +21,9 @@ impl Observer<'_> {
             clock,
             part.primitive.map(|it| it as usize),
             "takes an instruction",
-            vec![compared("operation", seen, Some(right))],
+            vec![compared("operation", seen, right)],
         );
-        self.steps.push(step);
+        self.told.tell(step);
     }
 
     /// Tells what instructions did, in the clock after their last bits were at the pixel.
@@ -37,8 +37,8 @@ impl Observer<'_> {
     }
 
     fn tell(&mut self, sim: &mut Sim, clock: u64, taken: &Taken, primitive: Option<u32>) {
-        let Taken { instruction, .. } = taken;
-        let (code, number) = (instruction.microcode(), primitive.map(|it| it as usize));
+        let Taken { instruction, code, .. } = taken;
+        let number = primitive.map(|it| it as usize);
         let operation = Operation::ALL[instruction.operation as usize].name();
         if taken.is_expression() {
             let words = self.expressions.word(instruction.length);
@@ -50,10 +50,10 @@ impl Observer<'_> {
             let [seen, right] = words.map(shown);
             let what = if is_edge { "sign" } else { "value" };
             let does = format!("evaluates the expression of {operation}");
-            let mut values = vec![compared("coefficients", self.coefficients(taken), None)];
-            values.push(compared(what, seen, Some(right)));
+            let mut values = vec![value("coefficients", self.coefficients(taken))];
+            values.push(compared(what, seen, right));
             let step = self.units[2].step_at("value", clock, number, does, values);
-            self.steps.push(step);
+            self.told.tell(step);
         }
         let memory = self.memory(sim);
         let [_, enable, flag] = self.flags(sim);
@@ -61,21 +61,21 @@ impl Observer<'_> {
 
         let mut values = Vec::new();
         if code.enabling != Enabling::Keep.code() || code.captures == 1 {
-            values.push(compared("enable", enable, Some(pixel.enable.into())));
+            values.push(compared("enable", enable, u64::from(pixel.enable)));
         }
         if code.compares == 1 {
-            values.push(compared("flag", flag, Some(pixel.flag.into())));
+            values.push(compared("flag", flag, u64::from(pixel.flag)));
         }
         if code.mask != Mask::Nobody.code() {
             let (first, length) = (instruction.write, instruction.length);
             let bit = |bit: u64| u64::from(sim.word(memory, (first + bit) as u32).bit(0)) << bit;
             let [seen, right] =
                 [(0..length).map(bit).sum(), pixel.word(first, length)].map(|word: u64| format!("{word:x}"));
-            values.push(compared("word", seen, Some(right)));
+            values.push(compared("word", seen, right));
         }
         if !values.is_empty() {
             let step = self.units[3].step_at("enable", clock, number, format!("does {operation}"), values);
-            self.steps.push(step);
+            self.told.tell(step);
         }
         if let Some(primitive) = primitive {
             let drawn = self.drawn.entry(primitive).or_default();
@@ -103,7 +103,7 @@ impl Observer<'_> {
 
     /// The step of an error that nothing told before.
     pub fn fail(&mut self, clock: u64, error: &Error) {
-        if self.steps.iter().any(crate::way::Step::differs) {
+        if self.told.differs() {
             return;
         }
         let (unit, what) = match (violated(error), error) {
@@ -114,8 +114,8 @@ impl Observer<'_> {
             (None, Error::Differs { signal, seen, expected, .. }) => (5, format!("{signal} is {seen}, not {expected}")),
             _ => return,
         };
-        let values = vec![compared("assertion", what.as_str(), Some("none fails"))];
+        let values = vec![compared("assertion", what.as_str(), "none fails")];
         let step = self.units[unit].step(clock, None, "fails", values);
-        self.steps.push(step);
+        self.told.tell(step);
     }
 }

@@ -7,7 +7,7 @@ use tilewright_rtl::pixelflow::array::PixelArray;
 use super::super::commands::{CONTROL, Commands, FIELDS, NETS};
 use super::{ArrayObserver, Place, Registers};
 use crate::looks::Looks;
-use crate::trail::{Trail, Unit};
+use crate::told::{Told, Unit};
 
 /// A clock of the array takes two ticks of the network, of 5 ns each.
 const CLOCK: (&str, u64) = ("array", 10_000);
@@ -32,9 +32,10 @@ impl ArrayObserver {
             unit("array", "pixel-array", ""),
         ];
         let (mut looks, mut ports) = (Looks::default(), Looks::default());
-        let controller = looks.add("u_controller.", FIELDS.into_iter().chain(NETS));
-        let control = looks.add("u_controller.", CONTROL);
-        let lanes = looks.add(&pixel, CONTROL);
+        let of_control = || CONTROL.iter().map(String::as_str);
+        let controller = looks.add("u_controller.", FIELDS.iter().map(String::as_str).chain(NETS));
+        let control = looks.add("u_controller.", of_control());
+        let lanes = looks.add(&pixel, of_control());
         let of_pixel = looks.add(&pixel, OF_PIXEL);
         let evaluator =
             looks.add("u_evaluator.", ["coefficients_a", "coefficients_b", "coefficients_c", "first", "sends"]);
@@ -84,13 +85,13 @@ impl ArrayObserver {
         ] {
             pairs.push((what, [evaluator + to, first + from]));
         }
-        for (number, what) in CONTROL.into_iter().enumerate() {
-            pairs.push((what, [lanes + number, control + number]));
+        for (number, what) in CONTROL.iter().enumerate() {
+            pairs.push((what.as_str(), [lanes + number, control + number]));
         }
         pairs.push(("expression", [of_pixel, evaluator + 5]));
         let lag = array.latency() as usize;
         ArrayObserver {
-            trail: Trail::default(),
+            told: Told::of(name),
             place,
             drawn: BTreeMap::new(),
             lag,
@@ -108,7 +109,7 @@ impl ArrayObserver {
             ports,
             places: [controller, control, lanes, of_pixel, evaluator, outside],
             pairs,
-            told: VecDeque::new(),
+            programs: VecDeque::new(),
             shown: None,
         }
     }

@@ -8,13 +8,13 @@ use tilewright_rtl::pixelflow::pixel::{Enabling, Function, Mask};
 use super::super::commands::Taken;
 use super::{ArrayObserver, Sim};
 use crate::error::Error;
-use crate::trail::{compared, violated};
-use crate::way::Step;
+use crate::told::{compared, value, violated};
+use crate::way::{Compared, Step};
 
 impl ArrayObserver {
     /// The instructions with these numbers, from now on, are told, with the primitives that they are of.
     pub fn tells(&mut self, first: usize, primitives: Vec<Option<usize>>) {
-        self.told.push_back((first, primitives));
+        self.programs.push_back((first, primitives));
     }
 
     /// The number of instructions so far.
@@ -29,12 +29,9 @@ impl ArrayObserver {
         if seen == right {
             return;
         }
-        let values = vec![
-            compared("register", address, None),
-            compared("byte", format!("{seen:02x}"), Some(format!("{right:02x}"))),
-        ];
+        let values = vec![value("register", address), compared("byte", format!("{seen:02x}"), format!("{right:02x}"))];
         let step = Step { time: tick * 5000, ..it.unit.step_at("seen", tick / 2, None, does, values) };
-        self.trail.push(step);
+        self.told.tell(step);
     }
 
     /// Whether a byte is that of the pixel, and its chip.
@@ -50,28 +47,31 @@ impl ArrayObserver {
             (0..bytes as usize).rev().map(|at| format!("{:02x}", byte(at))).collect::<String>()
         };
         let seen = hex(&|at| sim.word(memory, at as u32).to_u64().unwrap_or(0));
-        let values = vec![compared("word", seen, Some(hex(&|at| it.bytes[at].into())))];
+        let values = vec![compared("word", seen, hex(&|at| it.bytes[at].into()))];
         let step = it.unit.step_at("seen", tick / 2, None, does, values);
-        self.trail.push(Step { time: tick * 5000, ..step });
+        self.told.tell(Step { time: tick * 5000, ..step });
     }
 
     /// The primitive of an instruction that is told.
     fn part(&mut self, number: usize) -> Option<Option<usize>> {
-        while self.told.front().is_some_and(|(first, parts)| number >= first + parts.len() + 64) {
-            self.told.pop_front();
+        while self.programs.front().is_some_and(|(first, parts)| number >= first + parts.len() + 64) {
+            self.programs.pop_front();
         }
         let of = |(first, parts): &(usize, Vec<Option<usize>>)| parts.get(number.checked_sub(*first)?).copied();
-        self.told.iter().find_map(of)
+        self.programs.iter().find_map(of)
     }
 
     pub(super) fn takes(&mut self, clock: u64, taken: &Taken) {
         let Some(primitive) = self.part(taken.number) else { return };
-        let name = |it: &Instruction<u64>| Function::ALL.get(it.function as usize).map_or("none", |it| it.name());
+        let beside = |what, of: fn(&Instruction<u64>) -> String| {
+            let golden = self.shown.as_ref().map(of);
+            Compared { what, hardware: of(&taken.instruction), golden }
+        };
         let values = vec![
-            compared("function", name(&taken.instruction), self.shown.as_ref().map(name)),
-            compared("bytes", taken.instruction.length, self.shown.as_ref().map(|it| it.length)),
+            beside("function", |it| Function::ALL.get(it.function as usize).map_or("none", |it| it.name()).to_owned()),
+            beside("bytes", |it| it.length.to_string()),
         ];
-        self.trail.push(self.units[0].step_at(
+        self.told.tell(self.units[0].step_at(
             "instructions_function",
             clock,
             primitive,
@@ -118,9 +118,9 @@ impl ArrayObserver {
                 clock,
                 primitive,
                 "evaluates an edge",
-                vec![compared("sign", seen, Some(right))],
+                vec![compared("sign", seen, right)],
             );
-            self.trail.push(step);
+            self.told.tell(step);
         }
         if let Some(primitive) = primitive {
             self.draws(primitive, changes.then_some(enable & 1 == 1));
@@ -128,10 +128,10 @@ impl ArrayObserver {
         let Some(pixel) = &self.pixel else { return };
         let mut values = Vec::new();
         if changes {
-            values.push(compared("enable", enable & 1, Some((pixel.enable & 1).into())));
+            values.push(compared("enable", enable & 1, pixel.enable & 1));
         }
         if i.flagging != 0 {
-            values.push(compared("flag", flag, Some(pixel.flag.into())));
+            values.push(compared("flag", flag, u64::from(pixel.flag)));
         }
         if i.mask != Mask::Nobody.code() && i.stores == 1 {
             let first = if i.descends == 1 { i.write + 1 - i.length } else { i.write };
@@ -147,18 +147,18 @@ impl ArrayObserver {
                 None => pixel.memory[address as usize].into(),
             };
             let seen = word(&|address| hardware(address).and_then(|byte| byte.to_u64()).unwrap_or(0));
-            values.push(compared("address", first, None));
-            values.push(compared("word", seen, Some(word(&model))));
+            values.push(value("address", first));
+            values.push(compared("word", seen, word(&model)));
         }
         if !values.is_empty() {
             let step = self.units[2].step_at("enable", clock, primitive, "works on a word", values);
-            self.trail.push(step);
+            self.told.tell(step);
         }
     }
 
     /// The step of an error that nothing told before.
-    pub fn fail(&self, tick: u64, error: &Error) {
-        if self.trail.differs() {
+    pub fn fail(&mut self, tick: u64, error: &Error) {
+        if self.told.differs() {
             return;
         }
         let (unit, what) = match (violated(error), error) {
@@ -172,7 +172,7 @@ impl ArrayObserver {
             }
             _ => return,
         };
-        let values = vec![compared("assertion", what.as_str(), Some("none fails"))];
-        self.trail.push(unit.step(tick / 2, None, "fails", values));
+        let values = vec![compared("assertion", what.as_str(), "none fails")];
+        self.told.tell(unit.step(tick / 2, None, "fails", values));
     }
 }

@@ -1,7 +1,9 @@
 //! A node with a pixel that is followed.
 
 use super::{Beside, Node, Ticks};
+use crate::error::Error;
 use crate::pixelflow::following::{ArrayObserver, Found, StoreObserver, TextureObserver};
+use crate::tracer::Tracer;
 
 impl Node {
     /// Follows a pixel. At the limit the node stops.
@@ -12,15 +14,24 @@ impl Node {
     /// Has the frame buffer follow the pixel.
     pub fn follow_store(&mut self, observer: StoreObserver) {
         if let Beside::Store(store) = &mut self.beside {
-            store.follow(observer);
+            store.unit.follow(observer);
         }
     }
 
     /// Has the texture unit follow the pixel.
     pub fn follow_textures(&mut self, observer: TextureObserver) {
         if let Beside::Texture(texture) = &mut self.beside {
-            texture.follow(observer);
+            texture.unit.follow(observer);
         }
+    }
+
+    /// Begins a waveform of its array or of the unit beside it, if one of them is traced.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn trace(&mut self, tracer: &Tracer) -> Result<(), Error> {
+        tracer.attach(&self.name, &mut self.sim)?;
+        self.beside.trace(tracer, &self.name)
     }
 
     /// Tells the instructions of the next program, each with the primitive that it is of.
@@ -32,10 +43,10 @@ impl Node {
 
     /// Takes what was found of the pixel.
     pub fn take_found(&mut self, found: &mut Found) {
-        if let Some(observer) = self.observer.take() {
-            found.steps.extend(observer.trail.take());
+        if let Some(mut observer) = self.observer.take() {
+            found.steps.extend(observer.told.take());
             found.drawn.extend(observer.drawn);
         }
-        found.steps.extend(self.beside.trail().map(|trail| trail.take()).unwrap_or_default());
+        found.steps.extend(self.beside.take_steps());
     }
 }
