@@ -7,7 +7,7 @@ mod run;
 
 use crate::block::{BlockArguments, design};
 use crate::engine::EngineArguments;
-use crate::first_difference::{Both, Waves, matched, no_signal, no_time};
+use crate::first_difference::{Both, Waves, checked, matched, no_time};
 use crate::shell::{Exit, Failure, interrupt, progress};
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
@@ -50,11 +50,8 @@ impl AgainstOptions {
         let theirs = other.waves(&design, &scenario, &ours, &edited)?;
         progress::phase("comparing");
         let files: [&Waves; 2] = [&ours.waves, &theirs];
-        let mut matched = matched(files)?;
-        ours.leave_out(&mut matched);
-        if matched.pairs.is_empty() {
-            return Err(no_signal(files));
-        }
+        let is_printed = other.is_simulator() && edited.is_empty();
+        let matched = checked(ours.comparable(matched(files), is_printed), files)?;
         let both = Both::new(files, &matched.pairs);
         let instants = ours.instants_of(&both);
         if instants.is_empty() {

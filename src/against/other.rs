@@ -52,6 +52,11 @@ impl Other {
         if let Other::Simulator(simulator) = self { Some(*simulator) } else { None }
     }
 
+    /// Whether it is a simulator of Verilog.
+    pub fn is_simulator(&self) -> bool {
+        self.simulator().is_some()
+    }
+
     /// Whether it can be had, before anything takes time.
     ///
     /// # Errors
@@ -68,7 +73,7 @@ impl Other {
     /// # Errors
     /// No simulator runs it, or it cannot be read.
     pub fn edited(&self, paths: &[PathBuf]) -> Result<Vec<VerilogFile>, Failure> {
-        if self.simulator().is_none() && !paths.is_empty() {
+        if !self.is_simulator() && !paths.is_empty() {
             let sentence = "--verilog is for a simulator of Verilog: give --against icarus or --against verilator";
             return Err(Failure::new(Exit::BadInput, sentence));
         }

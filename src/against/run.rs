@@ -8,6 +8,9 @@ use tempfile::TempDir;
 use tilewright_hdl::{Design, Recording, Scenario};
 use tilewright_sim::{EngineKind, Vcd};
 
+/// The net of printed Verilog that takes what is not used.
+const UNUSED: &str = "_unused_ok";
+
 /// A run that was played to its end.
 pub struct Run {
     pub waves: Waves,
@@ -54,16 +57,19 @@ impl Run {
         Ok(Run { waves, recording: recorder.take(), clocks: ports.collect(), period, failed })
     }
 
-    /// Leaves out what no run has to have: the levels of clocks, which a testbench chooses between their edges, and the texts of
-    /// codes, whose numbers are compared.
-    pub fn leave_out(&self, matched: &mut Matched) {
+    /// The same without what no run has to have: the levels of clocks, which a testbench chooses between their edges, the texts of
+    /// codes, whose numbers are compared, and the net that takes what printed Verilog does not use. If the other run is of Verilog as it
+    /// is printed, all nets that only it has are of the printer's making.
+    pub fn comparable(&self, mut matched: Matched, is_printed: bool) -> Matched {
         let is_clock = |path: &[String]| matches!(path, [_, port] if self.clocks.contains(port));
         let signals = self.waves.signals.iter().filter(|signal| is_clock(&signal.path));
         let clocks: Vec<u32> = signals.map(|signal| signal.variable).collect();
         matched.pairs.retain(|pair| !clocks.contains(&pair.variables[0]));
-        let Matched { pairs, only } = matched;
+        let Matched { pairs, only } = &mut matched;
         let is_number = |name: &str| pairs.binary_search_by(|pair| pair.name.as_str().cmp(name)).is_ok();
         only[0].retain(|name| !name.strip_suffix("_state").is_some_and(is_number));
+        only[1].retain(|name| !is_printed && name.rsplit('.').next() != Some(UNUSED));
+        matched
     }
 
     /// The instants that are in both files.

@@ -8,7 +8,7 @@ mod text;
 
 pub use compare::{Both, State};
 pub use file::Waves;
-pub use names::Matched;
+pub use names::{Matched, matched};
 pub use text::{AFTER, BEFORE, Columns, Row, cell, waves};
 
 use crate::shell::{Exit, Failure, terminal};
@@ -58,7 +58,7 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Exit, Failure> {
     };
     let files = [Waves::read(one)?, Waves::read(other)?];
     let files = [&files[0], &files[1]];
-    let matched = matched(files)?;
+    let matched = checked(matched(files), files)?;
     let both = Both::new(files, &matched.pairs);
     let (begin, end) = both.times();
     if begin > end {
@@ -94,18 +94,12 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Exit, Failure> {
 ///
 /// # Errors
 /// There are none.
-pub fn matched(files: [&Waves; 2]) -> Result<Matched, Failure> {
-    let matched = names::matched(files);
-    match matched.pairs.is_empty() {
-        true => Err(no_signal(files)),
-        false => Ok(matched),
+pub fn checked(matched: Matched, [one, other]: [&Waves; 2]) -> Result<Matched, Failure> {
+    if !matched.pairs.is_empty() {
+        return Ok(matched);
     }
-}
-
-/// The files have no signal in common.
-pub fn no_signal([one, other]: [&Waves; 2]) -> Failure {
     let sentence = format!("{} and {} have no signal in common: name files of the same design", one.name, other.name);
-    Failure::new(Exit::BadInput, sentence)
+    Err(Failure::new(Exit::BadInput, sentence))
 }
 
 /// The files have no time in common.
