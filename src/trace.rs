@@ -6,7 +6,7 @@ use clap::Args;
 use std::ops::Range;
 use std::path::Path;
 use tilewright_hdl::Bundle;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Simulation, Trace};
 
 /// The heading of the options for a waveform file.
 pub const WAVEFORM: &str = "Waveform";
@@ -80,6 +80,16 @@ impl TraceOptions {
         Ok(())
     }
 
+    /// The waveform with these filters.
+    ///
+    /// # Errors
+    /// The system has no room for another open file.
+    pub fn trace(&self, waveform: &Waveform) -> Result<Trace, Failure> {
+        let all = waveform.trace()?.times(self.times());
+        let some = self.scope.iter().fold(all, |trace, pattern| trace.only(pattern));
+        Ok(self.memory.iter().fold(some, |trace, (pattern, range)| trace.words(pattern, range.clone())))
+    }
+
     /// Makes a simulation write the waveform with these filters; returns its header.
     ///
     /// # Errors
@@ -89,9 +99,7 @@ impl TraceOptions {
         waveform: &Waveform,
         sim: &mut Simulation<I, O>,
     ) -> Result<Vec<u8>, Failure> {
-        let all = waveform.trace()?.times(self.times());
-        let some = self.scope.iter().fold(all, |trace, pattern| trace.only(pattern));
-        let trace = self.memory.iter().fold(some, |trace, (pattern, range)| trace.words(pattern, range.clone()));
+        let trace = self.trace(waveform)?;
         let header = sim.trace_header(&trace)?;
         waveform.clear()?;
         sim.trace(trace)?;

@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use std::fmt::Display;
 use std::sync::atomic::AtomicBool;
 use tilewright_hdl::Bundle;
-use tilewright_machines::{Follower, Recorder, Watch};
+use tilewright_machines::{Follower, Recorder, Tracer, Watch};
 use tilewright_scenes::{Frame, Size};
 use tilewright_sim::{EngineKind, Simulation};
 
@@ -44,6 +44,8 @@ pub struct Run<'a> {
     pub recorder: Option<&'a Recorder>,
     /// The pixel that is followed, if one is.
     pub follower: Option<&'a Follower>,
+    /// The waveform of a unit, of a machine whose units are simulated one by one.
+    pub tracer: Option<&'a Tracer>,
     /// Stops the run soon after it becomes true, in place of Ctrl-C.
     pub cancel: Option<&'a AtomicBool>,
     /// The header of the waveform, once it is attached.
@@ -59,6 +61,7 @@ impl<'a> Run<'a> {
             waveform: None,
             recorder: None,
             follower: None,
+            tracer: None,
             cancel: None,
             header: RefCell::default(),
         }

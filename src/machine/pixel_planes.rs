@@ -125,6 +125,9 @@ impl Job for PixelPlanesJob {
         if let Some(follower) = run.follower {
             machine = machine.following(follower);
         }
+        if let Some(tracer) = run.tracer {
+            machine = machine.traced(tracer);
+        }
         run.watch(|watch| machine.render(&self.polygons, self.background, watch), |(_, report)| report.picoseconds())
     }
 }

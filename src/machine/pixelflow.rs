@@ -267,6 +267,9 @@ impl Job for PixelFlowJob {
         if let Some(follower) = run.follower {
             machine = machine.following(follower);
         }
+        if let Some(tracer) = run.tracer {
+            machine = machine.traced(tracer);
+        }
         let render = |watch: &mut tilewright_machines::Watch| match &self.work {
             Work::Deferred(deferred) => machine.render(deferred, watch),
             Work::Resident(polygons, background) => machine.render_resident(polygons, *background, watch),

@@ -4,7 +4,7 @@ use super::nets::Net;
 use super::recorded::{Recorded, Shown, about, drawn, module_at, written};
 use crate::block::entries;
 use crate::engine::EngineArguments;
-use crate::machine::{Machine, Run, Viewed, Visitor, visit};
+use crate::machine::{Machine, Run, Viewed, Visitor, signals_of, times_around, unit_and_name, visit};
 use crate::shell::output::Waveform;
 use crate::shell::{Exit, Failure, progress};
 use crate::trace::TraceOptions;
@@ -14,9 +14,6 @@ use std::sync::atomic::AtomicBool;
 use tilewright_hdl::Design;
 use tilewright_machines::Step;
 use tilewright_scenes::Scene;
-
-/// Clocks on each side of the step.
-const CLOCKS: u64 = 20;
 
 /// The block of a step.
 pub enum Moment {
@@ -41,12 +38,6 @@ struct Asked<'a> {
     cancel: &'a AtomicBool,
 }
 
-/// The unit and the name of a net.
-fn parts(net: &str) -> (Vec<String>, &str) {
-    let (unit, name) = net.rsplit_once('.').unwrap_or(("", net));
-    (unit.split('.').filter(|part| !part.is_empty()).map(str::to_owned).collect(), name)
-}
-
 impl Visitor for Asked<'_> {
     type Output = Moment;
 
@@ -57,13 +48,13 @@ impl Visitor for Asked<'_> {
             let why = format!("each unit of {machine} is simulated separately, so there is no wave of it in a frame");
             return alone(step, &why);
         };
-        let Some((unit, name)) = step.net.as_deref().map(parts) else {
+        let Some((unit, name)) = unit_and_name(step) else {
             return alone(step, "this step is about no net, so there is no wave of it");
         };
         let Some(module) = module_at(&design, &unit) else {
             return alone(step, "the circuit has no such unit, so there is no wave of it");
         };
-        let filters = filters(&design, module, (&unit, name), around(step));
+        let filters = filters(&design, module, (&unit, name), times_around(step));
         progress::phase("building");
         let vcd = written(|file| {
             let waveform = Waveform::temporary(file);
@@ -83,21 +74,15 @@ impl Visitor for Asked<'_> {
     }
 }
 
-/// The clocks around a step.
-fn around(step: &Step) -> Range<u64> {
-    let span = CLOCKS * (step.time / step.cycle.max(1)).max(1);
-    step.time.saturating_sub(span)..step.time + span
-}
-
 /// The signals of a unit, and the word of its memory that the step is about.
 fn filters(design: &Design, module: usize, (unit, name): (&[String], &str), times: Range<u64>) -> TraceOptions {
-    let path = |name: &str| unit.iter().map(String::as_str).chain([name]).collect::<Vec<_>>().join(".");
-    let filters = TraceOptions::of(vec![path(if unit.is_empty() { "*" } else { "**" })], times);
+    let filters = TraceOptions::of(vec![signals_of(unit)], times);
     let word = name.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
     let memories = &design.modules()[module].memories;
     match word.and_then(|(memory, address)| Some((memory, address.parse().ok()?))) {
         Some((memory, address)) if memories.iter().any(|it| it.name == memory) => {
-            filters.with_word(&path(memory), address)
+            let path = unit.iter().map(String::as_str).chain([memory]).collect::<Vec<_>>().join(".");
+            filters.with_word(&path, address)
         }
         _ => filters,
     }
@@ -110,7 +95,7 @@ fn alone(step: &Step, why: &str) -> Result<Moment, Failure> {
     let Some(design) = design else {
         return Ok(Moment::Alone(json!({ "note": why, "unit": null })));
     };
-    let (top, name) = (design.top(), step.net.as_deref().map(|net| parts(net).1));
+    let (top, name) = (design.top(), unit_and_name(step).map(|(_, name)| name));
     let mut diagram = drawn(&design, design.modules().len() - 1)?;
     diagram.title = top.name.clone();
     let value = |name: &str| {
@@ -148,12 +133,13 @@ impl Moment {
             Moment::Alone(value) => Ok((number == 0).then(|| value.clone())),
             Moment::Recorded { step, unit, recorded } => {
                 let Some(mut shown) = recorded.unit(number)? else { return Ok(None) };
-                let place = shown.times.iter().rposition(|time| *time <= step.time).unwrap_or(0);
-                shown.step = Some(place);
-                if recorded.has_one_clock(number) && shown.times.get(place) == Some(&step.time) {
-                    shown.first = step.cycle.saturating_sub(place as u64);
+                // What the unit saw at the edge of the step stands before it.
+                let before = shown.times.iter().rposition(|time| *time < step.time).unwrap_or(0);
+                shown.step = Some(before);
+                if recorded.has_one_clock(number) && shown.times.get(before + 1) == Some(&step.time) {
+                    shown.first = step.cycle.saturating_sub(before as u64 + 1);
                 }
-                let name = step.net.as_deref().map(|net| parts(net).1).filter(|_| number == 0);
+                let name = unit_and_name(step).map(|(_, name)| name).filter(|_| number == 0);
                 shown.nets.iter_mut().for_each(|net| net.asked = Some(net.name.as_str()) == name);
                 Ok(Some(json!({ "note": null, "path": unit.join("."), "unit": shown })))
             }

@@ -1,7 +1,7 @@
 //! The way of a pixel through a machine, as the page tells it.
 
-use crate::machine::{Followed, Machine, Viewed, Visitor, follow, visit};
-use crate::shell::{Exit, Failure};
+use crate::machine::{Followed, Machine, Viewed, Visitor, check_pixel, follow, visit};
+use crate::shell::Failure;
 use crate::why::text::{Told, json};
 use serde_json::Value;
 use std::sync::atomic::AtomicBool;
@@ -35,10 +35,9 @@ impl Visitor for Asked<'_> {
 
     fn visit(self, job: &impl Viewed) -> Result<PixelWay, Failure> {
         let (size, [x, y]) = (job.size(), self.pixel);
-        if x >= size.width() || y >= size.height() {
-            return Err(Failure::new(Exit::BadInput, format!("pixel {x},{y} is outside of a picture of {size}")));
-        }
-        let Followed { golden, frame, way, failed } = follow(job, self.pixel, Some(self.cancel))?;
+        check_pixel(size, self.pixel)?;
+        let golden = job.golden()?;
+        let Followed { frame, way, failed } = follow(job, self.pixel, Some(self.cancel))?;
         let told = Told {
             scene: &self.scene.name,
             machine: self.machine.name(),

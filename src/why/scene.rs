@@ -2,7 +2,9 @@
 
 use super::text::{Told, json, text};
 use crate::engine::EngineArguments;
-use crate::machine::{Followed, Job, Machine, MachineArguments, Run, follow};
+use crate::machine::{
+    Followed, Job, Machine, MachineArguments, Run, check_pixel, follow, signals_of, times_around, unit_and_name,
+};
 use crate::names;
 use crate::scene::{load, size};
 use crate::shell::output::Waveform;
@@ -15,19 +17,16 @@ use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use tilewright_machines::{Step, Way};
+use tilewright_machines::{Apart, Follower, Step, Tracer, Way};
 use tilewright_scenes::{Scene, Size};
-
-/// Clocks of the waveform on each side of the step.
-const CLOCKS: u64 = 20;
 
 /// The options for a scene alone.
 #[derive(Args)]
 #[command(next_help_heading = "Options for a scene")]
 pub struct SceneOptions {
-    /// Column and row of the pixel, from the upper left corner, such as 396,189
-    #[arg(long, value_name = "X,Y", value_parser = place, conflicts_with_all = ["at", "clock"])]
-    pub pixel: Option<[u32; 2]>,
+    /// Column and row of the pixel, from the upper left corner, such as 396,189; may be repeated
+    #[arg(id = "pixel", long, value_name = "X,Y", value_parser = place, conflicts_with_all = ["at", "clock"])]
+    pub pixels: Vec<[u32; 2]>,
     /// The machine; options for each machine are listed below
     #[arg(long, value_enum, value_parser = names::of::<Machine>("machine"), conflicts_with = "signal")]
     machine: Option<Machine>,
@@ -62,12 +61,16 @@ impl SceneOptions {
         Err(Failure::new(Exit::BadInput, sentence))
     }
 
-    /// Renders the scene of that name, and tells the way of the pixel, as text or as JSON.
-    pub fn run(&self, name: &OsStr, pixel: [u32; 2], json: bool) -> Result<Exit, Failure> {
+    /// Renders the scene of that name, and tells the way of each pixel, as text or as JSON.
+    pub fn run(&self, name: &OsStr, json: bool) -> Result<Exit, Failure> {
         let machine = self.machine();
         self.options.check(machine)?;
         if let Some(option) = self.options.several(machine) {
             let sentence = format!("{option} makes several frames, and a pixel is followed in one: leave it out");
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
+        if self.output.is_some() && self.pixels.len() > 1 {
+            let sentence = "-o writes the waveform around a step of one pixel, and there are several: leave out -o, or give one --pixel";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let beside = self.output.as_deref().map_or_else(Vec::new, viewer::files);
@@ -75,7 +78,8 @@ impl SceneOptions {
         let written: Vec<&Path> =
             self.output.iter().chain(beside.iter().map(|(_, file)| file)).map(PathBuf::as_path).collect();
         check_distinct(&written, &scene.files.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
-        let asked = Asked { scene: &scene, machine, pixel, json, output: self.output.as_deref(), beside };
+        let (pixels, output) = (&self.pixels[..], self.output.as_deref());
+        let asked = Asked { scene: &scene, machine, pixels, json, output, beside };
         let strict = self.options.order.strict;
         match machine {
             Machine::Vc1 => asked.answer(&self.options.vc1.job(&scene)?),
@@ -86,11 +90,11 @@ impl SceneOptions {
     }
 }
 
-/// A pixel of a scene on a machine.
+/// Pixels of a scene on a machine.
 struct Asked<'a> {
     scene: &'a Scene,
     machine: Machine,
-    pixel: [u32; 2],
+    pixels: &'a [[u32; 2]],
     json: bool,
     output: Option<&'a Path>,
     /// The viewers' files beside the waveform.
@@ -99,79 +103,129 @@ struct Asked<'a> {
 
 impl Asked<'_> {
     fn answer(&self, job: &impl Job) -> Result<Exit, Failure> {
-        let (size, [x, y], machine) = (job.size(), self.pixel, self.machine.name());
-        let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
-        if self.output.is_some() && matches!(self.machine, Machine::PixelPlanes | Machine::PixelFlow) {
-            return bad(format!(
-                "each unit of {machine} is simulated separately, so a frame has no waveform: leave out -o"
-            ));
-        }
-        if x >= size.width() || y >= size.height() {
-            let (right, bottom) = (size.width() - 1, size.height() - 1);
-            return bad(format!(
-                "pixel {x},{y} is outside of a picture of {size}: give one from 0,0 to {right},{bottom}"
-            ));
-        }
+        self.pixels.iter().try_for_each(|pixel| check_pixel(job.size(), *pixel))?;
         let waveform = self.output.map(Waveform::at).transpose()?;
-        let Followed { golden, frame, way, failed } = follow(job, self.pixel, None)?;
-        let told = Told {
-            scene: &self.scene.name,
-            machine,
-            size,
-            pixel: self.pixel,
-            shown: frame.map(|frame| frame.word(x, y)),
-            golden: golden.word(x, y),
-            way: &way,
-        };
-        let commands = waveform.map_or(Ok(Vec::new()), |waveform| self.write_wave(job, &waveform, &way))?;
-        if self.json {
-            terminal::print_json(&json(&told, &commands))?;
-        } else {
-            terminal::print(&legible(&text(&told)))?;
-            commands.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
+        let golden = job.golden()?;
+        let (mut answers, mut ends) = (Vec::new(), Vec::new());
+        for (number, pixel) in self.pixels.iter().enumerate() {
+            let [x, y] = *pixel;
+            let Followed { frame, way, failed } = follow(job, *pixel, None)?;
+            let told = Told {
+                scene: &self.scene.name,
+                machine: self.machine.name(),
+                size: job.size(),
+                pixel: *pixel,
+                shown: frame.map(|frame| frame.word(x, y)),
+                golden: golden.word(x, y),
+                way: &way,
+            };
+            let waved = waveform.as_ref().map(|waveform| self.write_wave(job, waveform, *pixel, &way)).transpose()?;
+            let Waved { commands, apart } = waved.unwrap_or_default();
+            if self.json {
+                answers.push(json(&told, &commands));
+            } else {
+                terminal::print(if number > 0 { "\n" } else { "" })?;
+                terminal::print(&legible(&text(&told)))?;
+                commands.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
+            }
+            if let Some(Apart { unit, time }) = apart {
+                terminal::talk(&format!("the waveform is of {unit} by itself, and has the step at {time} ps"));
+            }
+            ends.push(told.end(failed));
         }
-        told.end(failed)
+        match &answers[..] {
+            [] => {}
+            [answer] => terminal::print_json(answer)?,
+            _ => terminal::print_json(&serde_json::json!({ "format": 1, "pixels": answers }))?,
+        }
+        let ends: Vec<Exit> = ends.into_iter().collect::<Result<_, Failure>>()?;
+        Ok(ends.into_iter().find(|end| *end != Exit::Done).unwrap_or(Exit::Done))
     }
 
-    /// Renders again and writes the waveform around a step, and the files of viewers beside it. Returns the commands that open them.
-    fn write_wave(&self, job: &impl Job, waveform: &Waveform, way: &Way) -> Result<Vec<String>, Failure> {
-        let Some(step) = way.first_difference().or_else(|| last(way)) else { return Ok(Vec::new()) };
-        let around = CLOCKS * (step.time / step.cycle.max(1));
-        let times = step.time.saturating_sub(around)..step.time + around;
+    /// Renders again and writes the waveform around a step, and the files of viewers beside it.
+    fn write_wave(&self, job: &impl Job, waveform: &Waveform, pixel: [u32; 2], way: &Way) -> Result<Waved, Failure> {
+        let Some(step) = deciding(way) else { return Ok(Waved::default()) };
+        let times = times_around(step);
         let filters = TraceOptions::of(scopes(step), times.clone());
         let prepare = |(viewer, file): &(Viewer, PathBuf)| {
             Ok(viewer.prepare(file)?.map(|output| (*viewer, file.clone(), output)))
         };
         let prepared: Vec<_> = self.beside.iter().map(prepare).collect::<Result<_, Failure>>()?;
-        let run = Run { waveform: Some(waveform), ..Run::new(EngineArguments::default(), &filters) };
         progress::phase("building");
-        // The run fails as the first one did, and the waveform is there.
-        let rendered = job.render(&run).map(|_| ());
-        let is_written = Failure::leaves_a_waveform(&rendered);
-        if let Err(failure) = rendered
-            && !is_written
-        {
-            return Err(failure);
-        }
-        let Some(path) = self.output else { return Ok(Vec::new()) };
-        let header = run.header.take();
+        let header = match &step.apart {
+            Some(apart) => trace_apart(job, waveform, pixel, (apart, &filters))?,
+            None => trace(job, waveform, &filters)?,
+        };
+        let Some(path) = self.output else { return Ok(Waved::default()) };
         let written = prepared.into_iter().flatten().map(|(viewer, file, output)| {
             output.write(viewer.text(path, &header, times.clone(), true).as_bytes())?;
             Ok(viewer.command(path, &file))
         });
-        written.collect()
+        Ok(Waved { commands: written.collect::<Result<_, Failure>>()?, apart: step.apart.clone() })
     }
 }
 
-/// The last step of the visible primitive, or of any.
-fn last(way: &Way) -> Option<&Step> {
-    let winner = way.primitives.iter().find(|it| it.wins).map(|it| it.number);
-    let of_winner = way.steps.iter().rfind(|step| winner.is_some() && step.primitive == winner);
-    of_winner.or(way.steps.last())
+/// What there is to say of a waveform.
+#[derive(Default)]
+struct Waved {
+    /// The commands that open it.
+    commands: Vec<String>,
+    /// The step in a unit that is simulated by itself.
+    apart: Option<Apart>,
 }
 
-/// The signals of the step's unit, and those of the top.
+/// The waveform of a unit that is simulated by itself. Returns its header.
+fn trace_apart(
+    job: &impl Job,
+    waveform: &Waveform,
+    pixel: [u32; 2],
+    (apart, filters): (&Apart, &TraceOptions),
+) -> Result<Vec<u8>, Failure> {
+    waveform.clear()?;
+    let (tracer, none) = (Tracer::new(apart, filters.trace(waveform)?), TraceOptions::default());
+    // It is followed again, as a machine with a fault may not end otherwise.
+    let follower = Follower::new(pixel);
+    let run = Run { tracer: Some(&tracer), follower: Some(&follower), ..Run::new(EngineArguments::default(), &none) };
+    ended(job.render(&run))?;
+    waveform.tell_written();
+    Ok(tracer.header())
+}
+
+/// The waveform of a machine that is simulated as a whole. Returns its header.
+fn trace(job: &impl Job, waveform: &Waveform, filters: &TraceOptions) -> Result<Vec<u8>, Failure> {
+    let run = Run { waveform: Some(waveform), ..Run::new(EngineArguments::default(), filters) };
+    ended(job.render(&run))?;
+    Ok(run.header.take())
+}
+
+/// Whether a run has a waveform: it fails as the first one did, and the waveform is there.
+fn ended<T>(rendered: Result<T, Failure>) -> Result<(), Failure> {
+    let rendered = rendered.map(|_| ());
+    if Failure::leaves_a_waveform(&rendered) { Ok(()) } else { rendered }
+}
+
+/// The step that the waveform is about: the first difference, or else the last step of the visible primitive.
+fn deciding(way: &Way) -> Option<&Step> {
+    // What no unit did has no waveform, if units are simulated one by one.
+    let are_apart = way.steps.iter().any(|step| step.apart.is_some());
+    let has_wave = |step: &&Step| step.apart.is_some() || !are_apart;
+    way.first_difference().filter(has_wave).or_else(|| last(way, has_wave))
+}
+
+/// The last such step of the visible primitive, or of any.
+fn last<'a>(way: &'a Way, which: impl Fn(&&Step) -> bool) -> Option<&'a Step> {
+    let winner = way.primitives.iter().find(|it| it.wins).map(|it| it.number);
+    let of_winner = |step: &&Step| winner.is_some() && step.primitive == winner && which(step);
+    way.steps.iter().rfind(of_winner).or_else(|| way.steps.iter().rfind(|step| which(step)))
+}
+
+/// The signals of the step's unit, and those of the top, unless that is a unit with as many lanes as pixels.
 fn scopes(step: &Step) -> Vec<String> {
-    let unit = step.net.as_deref().and_then(|net| net.rsplit_once('.')).map(|(unit, _)| format!("{unit}.**"));
-    unit.map_or_else(Vec::new, |unit| vec![unit, "*".to_owned()])
+    let unit = unit_and_name(step).map(|(unit, _)| unit).unwrap_or_default();
+    match (unit.is_empty(), step.apart.is_some()) {
+        (true, false) => Vec::new(),
+        (true, true) => vec![signals_of(&[])],
+        (false, true) => vec![signals_of(&unit)],
+        (false, false) => vec![signals_of(&unit), signals_of(&[])],
+    }
 }

@@ -11,9 +11,10 @@ use std::path::PathBuf;
 use std::process::Child;
 use std::time::{Duration, Instant};
 
-/// A running server, and its address.
+/// A running server, and its address. It ends with its test, also if that panics.
 struct Served {
-    child: Child,
+    /// Until it was stopped.
+    child: Option<Child>,
     /// The host with its port, and the path with the token.
     host: String,
     path: String,
@@ -26,7 +27,7 @@ impl Served {
         BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
         let address = line.trim_end().strip_prefix("http://").unwrap_or_else(|| panic!("{line}"));
         let (host, path) = address.split_at(address.find('/').unwrap());
-        Served { host: host.to_owned(), path: path.to_owned(), child }
+        Served { host: host.to_owned(), path: path.to_owned(), child: Some(child) }
     }
 
     /// The status and the text of the answer to a request.
@@ -57,9 +58,19 @@ impl Served {
         }
     }
 
-    fn stop(self, signal: &str) -> Run {
-        send(&self.child, signal);
-        Run::of(self.child.wait_with_output().unwrap())
+    fn stop(mut self, signal: &str) -> Run {
+        let child = self.child.take().unwrap();
+        send(&child, signal);
+        Run::of(child.wait_with_output().unwrap())
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        if let Some(child) = &mut self.child {
+            let _ = child.kill();
+            let _ = child.wait();
+        }
     }
 }
 
@@ -169,13 +180,23 @@ fn a_pixel_and_its_steps_are_served() {
             assert_eq!(times.len(), 1);
             continue;
         }
-        assert_eq!((&moment["path"], &times[place]), (&path.into(), &step["picoseconds"]), "{machine}");
+        // The cursor stands where the unit has what it sees at the edge of the step.
+        assert_eq!((&moment["path"], &times[place + 1]), (&path.into(), &step["picoseconds"]), "{machine}");
+        if machine == "vc1" {
+            // The image memory has the old word still.
+            let changes = asked[0]["changes"].as_array().unwrap();
+            let now = changes.iter().rfind(|change| change[0].as_u64().unwrap() <= place as u64).unwrap();
+            assert_eq!((&step["values"][0]["what"], &step["values"][0]["hardware"]), (&"old word".into(), &now[1]));
+        }
         assert!((20..200).contains(&times.len()), "{}", times.len());
         let beyond = steps.len();
         assert_eq!(served.data(&format!("moment/{machine}?{pixel}&step={beyond}&unit=0")).0, 422);
     }
     let (status, answer) = served.data("way/quadtree?turn=0&x=32&y=0");
-    assert_eq!((status, &answer["sentence"]), (422, &"pixel 32,0 is outside of a picture of 32x24".into()));
+    assert_eq!(
+        (status, &answer["sentence"]),
+        (422, &"pixel 32,0 is outside of a picture of 32x24: give one from 0,0 to 31,23".into())
+    );
     for name in ["way/vc1?turn=0&x=1", "way/vc1?turn=0&x=-1&y=0", "moment/vc1?turn=0&x=1&y=1", "areas/pixelflow?turn=0"]
     {
         assert_eq!(served.get(&format!("data/{name}")).0, 404, "{name}");

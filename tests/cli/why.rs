@@ -131,6 +131,52 @@ fn the_wave_has_40_clocks_around_the_last_step_of_the_visible_primitive() {
     assert!(save.contains(&format!("[timestart] {}", time - around)), "{save}");
 }
 
+/// The times at which a net of a waveform changes.
+fn changes(wave: &str, net: &str) -> Vec<u64> {
+    let line = wave.lines().find(|line| line.starts_with("$var") && line.contains(&format!(" {net} ")));
+    let id = line.unwrap_or_else(|| panic!("no {net}")).split(' ').nth(3).unwrap();
+    let (mut time, mut times) = (0, Vec::new());
+    for line in wave.lines() {
+        match line.strip_prefix('#') {
+            Some(now) => time = now.parse().unwrap(),
+            None if line.strip_suffix(id).is_some_and(|value| value.starts_with('b') && value.ends_with(' ')) => {
+                times.push(time);
+            }
+            None => {}
+        }
+    }
+    times
+}
+
+/// The wave is that of the unit by itself, around the step in the unit's own time.
+#[test]
+fn a_unit_that_is_simulated_by_itself_has_a_wave_around_the_step() {
+    let folder = Folder::with_pyramid();
+    for machine in ["pixel-planes-5", "pixelflow"] {
+        let line = format!("why pyramid.obj --size 32x24 --machine {machine} --pixel 16,12 -o {machine}.vcd");
+        let way = folder.json(&format!("{line} --json"));
+        let winner = &way["primitives"].as_array().unwrap().iter().find(|it| it["visible"] == true).unwrap()["number"];
+        let steps = way["steps"].as_array().unwrap();
+        let step = steps.iter().rfind(|it| it["primitive"] == *winner && !it["simulation"].is_null()).unwrap();
+        let time = step["simulation"]["picoseconds"].as_u64().unwrap();
+        let around = 20 * (step["picoseconds"].as_u64().unwrap() / step["cycle"].as_u64().unwrap());
+        let wave = folder.read(&format!("{machine}.vcd"));
+        let times: Vec<u64> = wave.lines().filter_map(|line| line.strip_prefix('#')?.parse().ok()).collect();
+        assert!(times.len() > 20 && times.contains(&time), "{machine}: {time} {times:?}");
+        assert!(times.iter().all(|it| (time - around..=time + around).contains(it)), "{machine}: {time} {times:?}");
+        assert!(folder.read(&format!("{machine}.gtkw")).contains(&format!("[timestart] {}", time - around)));
+        let text = folder.run(&line).stderr;
+        let unit = step["simulation"]["unit"].as_str().unwrap();
+        assert!(
+            text.contains(&format!("the waveform is of {unit} by itself, and has the step at {time} ps")),
+            "{text}"
+        );
+        // The pixel wrote the word's last part at the edge before.
+        let period = around / 20;
+        assert!(changes(&wave, "control_mask").contains(&(time - period)), "{machine}: {step}");
+    }
+}
+
 /// The last step of each machine is the word that the golden image has, and no step before it differs.
 #[test]
 fn machines_whose_units_are_simulated_separately_tell_the_way_too() {
@@ -145,6 +191,20 @@ fn machines_whose_units_are_simulated_separately_tell_the_way_too() {
     }
 }
 
+/// Each of several pixels has the answer that it has alone.
+#[test]
+fn several_pixels_are_told_one_after_another() {
+    let folder = Folder::with_pyramid();
+    let line = "why pyramid.obj --size 32x24 --machine quadtree --matrix 2x2";
+    let pixels = ["16,12", "0,0"];
+    let alone = pixels.map(|pixel| folder.json(&format!("{line} --pixel {pixel} --json")));
+    assert_ne!(alone[0]["steps"], alone[1]["steps"]);
+    let both = folder.json(&format!("{line} --pixel 16,12 --pixel 0,0 --json"));
+    assert_eq!((&both["format"], &both["pixels"]), (&1.into(), &Value::from(alone.to_vec())));
+    let texts = pixels.map(|pixel| folder.stdout(&format!("{line} --pixel {pixel}")));
+    assert_eq!(folder.stdout(&format!("{line} --pixel 16,12 --pixel 0,0")), texts.join("\n"));
+}
+
 #[test]
 fn a_question_about_a_pixel_that_has_no_answer_is_refused_in_a_sentence() {
     let folder = Folder::with_pyramid();
@@ -155,9 +215,10 @@ fn a_question_about_a_pixel_that_has_no_answer_is_refused_in_a_sentence() {
         ),
         ("pyramid.obj --pixel 5", "give two whole numbers of pixels, from the left and from the top, such as 396,189"),
         ("pyramid.obj --size 32x24 --pixel 5,5 --accumulate 2", "a pixel is followed in one: leave it out"),
+        ("pyramid.obj --size 32x24 --pixel 5,5 --pixel 32,5", "pixel 32,5 is outside of a picture of 32x24"),
         (
-            "pyramid.obj --size 32x24 --pixel 5,5 --machine pixelflow -o pixel.vcd",
-            "each unit of pixelflow is simulated separately, so a frame has no waveform: leave out -o",
+            "pyramid.obj --size 32x24 --pixel 5,5 --pixel 6,5 -o pixel.vcd",
+            "-o writes the waveform around a step of one pixel, and there are several",
         ),
         ("pyramid.obj --size 32x24 --pixel 5,5 --matrix 2x2", "--matrix is an option of quadtree"),
         ("fifo", "give --signal NET for a block, or --pixel X,Y for a scene"),

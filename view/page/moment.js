@@ -34,7 +34,7 @@ const moment = {
 
     show({ note, path, unit }, ask, ticket) {
         if (ticket !== this.ticket) return;
-        at("moment-note").textContent = note ? `${note[0].toUpperCase()}${note.slice(1)}.` : `The unit ${path || "at the top"} in the machine that drew this frame. The cursor stands behind the edge of the step: what the unit saw at that edge is a clock before.`;
+        at("moment-note").textContent = note ? `${note[0].toUpperCase()}${note.slice(1)}.` : `The unit ${path || "at the top"} in the machine that drew this frame.`;
         if (!unit) return at("moment-circuit").replaceChildren();
         this.circuit = new Circuit(async number => (await ask(number)).unit, "h3");
         at("moment-circuit").replaceChildren(this.circuit.element);
