@@ -106,3 +106,45 @@ fn lanes_that_are_read_together_are_those_of_the_reference() {
     }
     assert!(all[0].2.iter().any(|number| *number > 255));
 }
+
+/// Inputs, registers, computed values and constants of one lane, which are read where they are.
+#[test]
+fn single_values_are_those_of_the_reference_in_any_buffer() {
+    let b = &mut Build::new("machine");
+    let step = b.input("step", 8, Shape::Plain);
+    let count = b.register("count", 8, Shape::Plain, Some(Init::Same(Bits::new(8, 5))));
+    let next = b.add(count, step);
+    b.next(count, None, next);
+    let flag = b.register("flag", 1, Shape::Plain, None);
+    let one = b.constant(1, 1, Shape::Plain);
+    let other = b.xor(flag, one);
+    b.next(flag, None, other);
+    let fixed = b.constant(8, 77, Shape::Plain);
+    let (fixed, sum) = (b.named("fixed", fixed), b.named("sum", next));
+    b.output("sum_out", sum);
+    b.output("fixed_out", fixed);
+    let design = Design::new(vec![b.module.clone()]).unwrap();
+    let mut all = [EngineKind::Reference, EngineKind::Compiled].map(|kind| {
+        let mut sim = Simulation::from_design(&design).unwrap().on(kind);
+        sim.reset();
+        let nets = sim.nets(["step", "count", "flag", "sum", "fixed"]).unwrap();
+        (sim, nets)
+    });
+    for clock in 0..700_u64 {
+        let [reference, compiled] = all.each_mut().map(|(sim, nets)| {
+            let (step, sum) = (sim.port("step").unwrap(), sim.port("sum_out").unwrap());
+            if clock % 3 == 0 {
+                sim.set(step, clock % 256);
+            }
+            if clock % 7 == 0 {
+                sim.get(sum);
+            }
+            let mut numbers = vec![clock; 6];
+            sim.numbers(nets, &mut numbers);
+            sim.step();
+            numbers
+        });
+        assert_eq!(compiled, reference, "in clock {clock}");
+        assert_eq!((compiled[4], compiled[5]), (77, clock));
+    }
+}

@@ -11,6 +11,7 @@ use super::Compiled;
 use super::emitter::MemoryAt;
 use super::function::{Maker, Sink};
 use super::layout::Place;
+use crate::engine::Engine;
 use crate::engine::cranelift::Code;
 use crate::engine::program::{Axis, Cell, Circuit, Kind, Lowered, ValueId};
 
@@ -36,11 +37,23 @@ const SINGLE: usize = 20_000;
 /// A function that stores limbs for reading.
 pub(super) struct Glance {
     of: Limbs,
-    /// Nothing if all values have one lane: a view serves them better.
+    /// Nothing if all values have one lane: views serve them better.
     code: Option<Code>,
+    /// The values, if all have one lane and one limb.
+    single: Option<Whole>,
     /// The limb of each.
     limbs: Vec<u32>,
     pub stale: bool,
+}
+
+/// Values of one lane and one limb.
+#[derive(Default)]
+struct Whole {
+    ids: Vec<ValueId>,
+    /// Their numbers when their places were noted, which constants have for good.
+    seen: Vec<u64>,
+    /// Where they are: see [`Compiled::note`].
+    note: Vec<u32>,
 }
 
 impl Compiled {
@@ -50,6 +63,10 @@ impl Compiled {
             Some(at) => at,
             None => self.make_glance(limbs),
         };
+        if let Some(whole) = self.glances[at].single.take() {
+            self.glances[at].single = Some(self.glance_at_whole(whole, numbers));
+            return true;
+        }
         self.mark();
         let Glance { code: Some(code), ref mut stale, .. } = self.glances[at] else { return false };
         if std::mem::take(stale) {
@@ -62,6 +79,20 @@ impl Compiled {
         true
     }
 
+    /// The numbers of values of one lane and one limb.
+    fn glance_at_whole(&mut self, mut whole: Whole, numbers: &mut [u64]) -> Whole {
+        let Whole { ids, seen, note } = &mut whole;
+        if note.first() == Some(&self.version) {
+            self.noted(note, seen, numbers);
+        } else {
+            seen.clear();
+            seen.extend(ids.iter().map(|id| self.number(*id, 0)));
+            numbers[..seen.len()].copy_from_slice(seen);
+            self.note(ids, note);
+        }
+        whole
+    }
+
     /// Notes that something has changed.
     #[inline]
     pub(super) fn age_glances(&mut self) {
@@ -70,8 +101,16 @@ impl Compiled {
 
     #[cold]
     fn make_glance(&mut self, limbs: &Limbs) -> usize {
-        let mut glance = Glance { of: limbs.clone(), code: None, limbs: Vec::new(), stale: true };
-        if limbs.iter().any(|limb| self.program.circuit[limb.value].lanes > 1) {
+        let mut glance = Glance { of: limbs.clone(), code: None, single: None, limbs: Vec::new(), stale: true };
+        let is_whole = |limb: &Limb| {
+            let cell = &self.program.circuit[limb.value];
+            cell.lanes == 1 && cell.width <= 64
+        };
+        if limbs.iter().all(is_whole) {
+            let ids: Vec<ValueId> = limbs.iter().map(|limb| limb.value).collect();
+            self.show(&ids);
+            glance.single = Some(Whole { ids, ..Whole::default() });
+        } else if limbs.iter().any(|limb| self.program.circuit[limb.value].lanes > 1) {
             let places: Vec<Place> = limbs.iter().map(|limb| self.layout.place(1, limb.width)).collect();
             glance.limbs = places.iter().map(|place| (place.offset / 8) as u32).collect();
             glance.code = Some(self.glance_code(limbs, &places));
