@@ -15,10 +15,11 @@ use crate::trace::TraceOptions;
 use crate::viewer::{self, Viewer, waveform};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
+use serde_json::Value;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use tilewright_machines::{Apart, Follower, Step, Tracer, Way};
-use tilewright_scenes::{Scene, Size};
+use tilewright_scenes::{Frame, Scene, Size};
 
 /// The options for a scene alone.
 #[derive(Args)]
@@ -102,36 +103,19 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
+    /// Tells the way of each pixel, one after another.
     fn answer(&self, job: &impl Job) -> Result<Exit, Failure> {
         self.pixels.iter().try_for_each(|pixel| check_pixel(job.size(), *pixel))?;
         let waveform = self.output.map(Waveform::at).transpose()?;
         let golden = job.golden()?;
         let (mut answers, mut ends) = (Vec::new(), Vec::new());
         for (number, pixel) in self.pixels.iter().enumerate() {
-            let [x, y] = *pixel;
-            let Followed { frame, way, failed } = follow(job, *pixel, None)?;
-            let told = Told {
-                scene: &self.scene.name,
-                machine: self.machine.name(),
-                size: job.size(),
-                pixel: *pixel,
-                shown: frame.map(|frame| frame.word(x, y)),
-                golden: golden.word(x, y),
-                way: &way,
-            };
-            let waved = waveform.as_ref().map(|waveform| self.write_wave(job, waveform, *pixel, &way)).transpose()?;
-            let Waved { commands, apart } = waved.unwrap_or_default();
-            if self.json {
-                answers.push(json(&told, &commands));
-            } else {
-                terminal::print(if number > 0 { "\n" } else { "" })?;
-                terminal::print(&legible(&text(&told)))?;
-                commands.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
+            if number > 0 && !self.json {
+                terminal::print("\n")?;
             }
-            if let Some(Apart { unit, time }) = apart {
-                terminal::talk(&format!("the waveform is of {unit} by itself, and has the step at {time} ps"));
-            }
-            ends.push(told.end(failed));
+            let (answer, end) = self.tell(job, *pixel, &golden, waveform.as_ref())?;
+            answers.extend(answer);
+            ends.push(end);
         }
         match &answers[..] {
             [] => {}
@@ -140,6 +124,38 @@ impl Asked<'_> {
         }
         let ends: Vec<Exit> = ends.into_iter().collect::<Result<_, Failure>>()?;
         Ok(ends.into_iter().find(|end| *end != Exit::Done).unwrap_or(Exit::Done))
+    }
+
+    /// Tells the way of a pixel as text, or returns it as JSON; and how that ends.
+    fn tell(
+        &self,
+        job: &impl Job,
+        pixel: [u32; 2],
+        golden: &Frame,
+        waveform: Option<&Waveform>,
+    ) -> Result<(Option<Value>, Result<Exit, Failure>), Failure> {
+        let [x, y] = pixel;
+        let Followed { frame, way, failed } = follow(job, pixel, None)?;
+        let told = Told {
+            scene: &self.scene.name,
+            machine: self.machine.name(),
+            size: job.size(),
+            pixel,
+            shown: frame.map(|frame| frame.word(x, y)),
+            golden: golden.word(x, y),
+            way: &way,
+        };
+        let waved = waveform.map(|waveform| self.write_wave(job, waveform, pixel, &way)).transpose()?;
+        let Waved { commands, apart } = waved.unwrap_or_default();
+        let answer = self.json.then(|| json(&told, &commands));
+        if answer.is_none() {
+            terminal::print(&legible(&text(&told)))?;
+            commands.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
+        }
+        if let Some(Apart { unit, time }) = apart {
+            terminal::talk(&format!("the waveform is of {unit} by itself, and has the step at {time} ps"));
+        }
+        Ok((answer, told.end(failed)))
     }
 
     /// Renders again and writes the waveform around a step, and the files of viewers beside it.
@@ -213,7 +229,7 @@ fn deciding(way: &Way) -> Option<&Step> {
 }
 
 /// The last such step of the visible primitive, or of any.
-fn last<'a>(way: &'a Way, which: impl Fn(&&Step) -> bool) -> Option<&'a Step> {
+fn last(way: &Way, which: impl Fn(&&Step) -> bool) -> Option<&Step> {
     let winner = way.primitives.iter().find(|it| it.wins).map(|it| it.number);
     let of_winner = |step: &&Step| winner.is_some() && step.primitive == winner && which(step);
     way.steps.iter().rfind(of_winner).or_else(|| way.steps.iter().rfind(|step| which(step)))

@@ -160,11 +160,11 @@ fn a_unit_that_is_simulated_by_itself_has_a_wave_around_the_step() {
         let step = steps.iter().rfind(|it| it["primitive"] == *winner && !it["simulation"].is_null()).unwrap();
         let time = step["simulation"]["picoseconds"].as_u64().unwrap();
         let around = 20 * (step["picoseconds"].as_u64().unwrap() / step["cycle"].as_u64().unwrap());
-        let wave = folder.read(&format!("{machine}.vcd"));
+        let wave = folder.read(format!("{machine}.vcd"));
         let times: Vec<u64> = wave.lines().filter_map(|line| line.strip_prefix('#')?.parse().ok()).collect();
         assert!(times.len() > 20 && times.contains(&time), "{machine}: {time} {times:?}");
         assert!(times.iter().all(|it| (time - around..=time + around).contains(it)), "{machine}: {time} {times:?}");
-        assert!(folder.read(&format!("{machine}.gtkw")).contains(&format!("[timestart] {}", time - around)));
+        assert!(folder.read(format!("{machine}.gtkw")).contains(&format!("[timestart] {}", time - around)));
         let text = folder.run(&line).stderr;
         let unit = step["simulation"]["unit"].as_str().unwrap();
         assert!(
