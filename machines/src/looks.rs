@@ -51,6 +51,16 @@ impl Looks {
     }
 }
 
+/// The nets of a port's fields, in their sequence; `like` is any record of its kind.
+pub(crate) fn fields<B: Bundle>(port: &str, like: &B::Of<u64>) -> Vec<String> {
+    let mut names = Vec::new();
+    B::convert(like, &mut |field: &str, number: &u64| {
+        names.push(format!("{port}_{}", field.replace('.', "_")));
+        *number
+    });
+    names
+}
+
 /// A memory of a simulation.
 #[derive(Debug)]
 pub(crate) struct Words {

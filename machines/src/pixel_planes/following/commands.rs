@@ -1,46 +1,31 @@
 //! What an image generation controller has to send for the instructions that it takes, bit by bit.
 
 use std::collections::VecDeque;
+use std::sync::LazyLock;
 
 use tilewright_hdl::Codes;
 use tilewright_rtl::pixel_planes::instruction::{Instruction, Microcode, Operation};
-use tilewright_rtl::pixel_planes::pixel::{Enabling, Mask, Source};
+use tilewright_rtl::pixel_planes::pixel::{Control, Enabling, Mask, Source};
+use tilewright_rtl::pixel_planes::programs::clear;
 use tilewright_rtl::pixel_planes::schedule::{Schedule, Step as Clocks, Times};
 
 use super::bit_of;
+use crate::looks::fields;
 use crate::told::Checks;
 
 /// The nets of a controller that are looked at, after its path.
-pub(super) const NETS: [&str; 28] = [
-    "instructions_valid",
-    "instructions_ready",
-    "instructions_operation",
-    "instructions_skip",
-    "instructions_length",
-    "instructions_read",
-    "instructions_write",
-    "instructions_coefficients_a",
-    "instructions_coefficients_b",
-    "instructions_coefficients_c",
-    "side_by_side",
-    "store_free",
-    "coefficients_a",
-    "coefficients_b",
-    "coefficients_c",
-    "first",
-    "control_source",
-    "control_constant",
-    "control_adds",
-    "control_first",
-    "control_mask",
-    "control_compares",
-    "control_gates",
-    "control_enabling",
-    "control_captures",
-    "control_read",
-    "control_write",
-    "idle",
-];
+pub(super) static NETS: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let mut nets = INPUTS.map(str::to_owned).to_vec();
+    nets.splice(2..2, fields::<Instruction>("instructions", &clear(0)[0]));
+    nets.extend(SENT.map(str::to_owned));
+    nets.extend(fields::<Control>("control", &Control::ZERO));
+    nets.push("idle".to_owned());
+    nets
+});
+/// The handshake of instructions, behind which their fields stand, and other inputs.
+const INPUTS: [&str; 4] = ["instructions_valid", "instructions_ready", "side_by_side", "store_free"];
+/// What it sends to the tree.
+const SENT: [&str; 4] = ["coefficients_a", "coefficients_b", "coefficients_c", "first"];
 
 /// What it sends to the backing store, and for a quadratic tree.
 pub(super) const SAVES: [&str; 3] = ["save_claim", "save_region", "save_plane"];

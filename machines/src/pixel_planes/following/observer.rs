@@ -111,16 +111,16 @@ impl<'a> Observer<'a> {
         ];
         let mut looks = Looks::default();
         let queue = looks.add("u_queue.", ["into_valid", "into_ready", "out_valid", "out_ready"]);
-        let controller = looks.add("u_controller.", NETS.into_iter().chain(SAVES));
+        let controller = looks.add("u_controller.", NETS.iter().map(String::as_str).chain(SAVES));
         let tree = looks.add("u_tree.", ["first", "coefficients_a", "coefficients_b", "coefficients_c"]);
         let mut wide = [Looks::default(), Looks::default()];
         wide[0].add("", [value.as_str()]);
-        wide[1].add(&lane, CONTROL[12..].iter().copied());
+        wide[1].add(&lane, CONTROL[12..].iter().map(String::as_str));
         if quadratic {
             looks.add("u_tree.", ["curve_d", "curve_e", "curve_f"]);
             looks.add("u_controller.", CURVE);
         }
-        let pixel = looks.add("u_controller.", CONTROL[..11].iter().copied());
+        let pixel = looks.add("u_controller.", CONTROL[..11].iter().map(String::as_str));
 
         let places = [queue, controller, tree, pixel, looks.add("", of_store)];
         Observer {

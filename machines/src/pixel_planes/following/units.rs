@@ -1,11 +1,13 @@
 //! Plain models of a renderer's other units, as far as they are about one pixel.
 
 use std::collections::VecDeque;
+use std::sync::LazyLock;
 
 use tilewright_hdl::Codes;
-use tilewright_rtl::pixel_planes::pixel::{Enabling, Mask, PixelProcessor, Source};
+use tilewright_rtl::pixel_planes::pixel::{Control, Enabling, Mask, PixelProcessor, Source};
 use tilewright_rtl::pixel_planes::{PERIOD, fields};
 
+use crate::looks::fields;
 use crate::told::Checks;
 
 /// The period of the clock in picoseconds.
@@ -65,24 +67,12 @@ impl Expressions {
     }
 }
 
-/// The control of a pixel, in the sequence of [`CONTROL`].
-pub(super) const CONTROL: [&str; 15] = [
-    "control_source",
-    "control_constant",
-    "control_adds",
-    "control_first",
-    "control_mask",
-    "control_compares",
-    "control_gates",
-    "control_enabling",
-    "control_captures",
-    "control_read",
-    "control_write",
-    "expression",
-    "carry",
-    "enable",
-    "flag",
-];
+/// The nets of a pixel: its control, the tree's bit, and its flags.
+pub(super) static CONTROL: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let mut nets = fields::<Control>("control", &Control::ZERO);
+    nets.extend(["expression", "carry", "enable", "flag"].map(str::to_owned));
+    nets
+});
 
 /// A pixel processor.
 pub(super) struct Pixel {

@@ -54,7 +54,7 @@ impl Wires {
             join(name, &format!("u_store.{name}"), name.into());
         }
         let wide = Wide::new(&pixel, [column, line]);
-        let fields = looks.add("u_controller.", super::commands::NETS[2..10].iter().copied());
+        let fields = looks.add("u_controller.", super::commands::NETS[2..10].iter().map(String::as_str));
         let others = looks.add("", OTHERS);
         Wires { pairs, wide, fields, others }
     }
@@ -87,8 +87,8 @@ struct Wide {
 impl Wide {
     fn new(pixel: &str, [column, line]: [u32; 2]) -> Wide {
         let mut looks = Looks::default();
-        let first = looks.add(&format!("{pixel}."), super::units::CONTROL[..12].iter().copied());
-        looks.add("u_controller.", super::units::CONTROL[..11].iter().copied());
+        let first = looks.add(&format!("{pixel}."), super::units::CONTROL[..12].iter().map(String::as_str));
+        looks.add("u_controller.", super::units::CONTROL[..11].iter().map(String::as_str));
         let words = ["u_tree.value", "u_store.word"].map(|net| format!("{net}[{line}][{column}]"));
         looks.add("", [words[0].as_str(), &format!("{pixel}.word"), &words[1]]);
         let mut planes = Looks::default();
@@ -106,7 +106,7 @@ impl Wires {
         let Wide { looks, first, .. } = &mut self.wide;
         looks.look(sim);
         let [to, from]: [[u64; 12]; 2] = [*first, *first + 12].map(|place| looks.from(place));
-        for ((name, to), from) in super::units::CONTROL.into_iter().zip(to).zip(from) {
+        for ((name, to), from) in super::units::CONTROL.iter().zip(to).zip(from) {
             checks.same(name, to, from);
         }
         let [word, stored] = looks.from(*first + 24);

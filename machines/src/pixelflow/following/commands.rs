@@ -10,13 +10,14 @@ use tilewright_rtl::pixelflow::instruction::{Instruction, LONGEST, Sync};
 use tilewright_rtl::pixelflow::pixel::{Control, Enabling, Flagging, Function, Mask, Source};
 use tilewright_rtl::pixelflow::schedule::step;
 
+use crate::looks::fields;
 use crate::told::Checks;
 
 /// The fields of an instruction at a controller, after its path.
 pub(super) static FIELDS: LazyLock<Vec<String>> =
-    LazyLock::new(|| names::<Instruction>("instructions", &Instruction::NOTHING));
+    LazyLock::new(|| fields::<Instruction>("instructions", &Instruction::NOTHING));
 /// The fields of the pixels' control.
-pub(super) static CONTROL: LazyLock<Vec<String>> = LazyLock::new(|| names::<Control>("control", &Control::ZERO));
+pub(super) static CONTROL: LazyLock<Vec<String>> = LazyLock::new(|| fields::<Control>("control", &Control::ZERO));
 /// A controller's other inputs, and its outputs.
 pub(super) const NETS: [&str; 12] = [
     "instructions_valid",
@@ -203,14 +204,4 @@ fn fields_of(control: &Control<u64>) -> [u64; 13] {
         *number
     });
     numbers
-}
-
-/// The nets of a port's fields, in their sequence; `like` is any record of its kind.
-fn names<B: Bundle>(port: &str, like: &B::Of<u64>) -> Vec<String> {
-    let mut names = Vec::new();
-    B::convert(like, &mut |field: &str, number: &u64| {
-        names.push(format!("{port}_{}", field.replace('.', "_")));
-        *number
-    });
-    names
 }
