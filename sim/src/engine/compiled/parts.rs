@@ -23,18 +23,13 @@ impl Compiled {
         word.expect("a word has a part").limbs().to_vec()
     }
 
-    /// A word of up to 64 bits of a memory of the description.
+    /// A word of up to 64 bits of a memory of the description. Only wider ones are split.
     pub(super) fn short_word_of_parts(&self, memory: u32, lane: u32, address: u32) -> u64 {
-        let (mut word, mut low) = (0, 0);
-        for &Part { of, piece } in &self.parts.memories[memory as usize] {
-            for within in 0..piece.lanes {
-                let mut part = [0];
-                self.read_stored(of, lane * piece.lanes + within, address, &mut part);
-                word |= part[0] << low;
-                low += piece.each();
-            }
-        }
-        word
+        let parts = &self.parts.memories[memory as usize];
+        debug_assert_eq!(parts.len(), 1);
+        let mut word = [0];
+        self.read_stored(parts[0].of, lane, address, &mut word);
+        word[0]
     }
 
     /// Appends all words of a memory of the description, whose lanes have so many of this width.
