@@ -172,27 +172,11 @@ impl Single<'_> {
     fn make(&mut self, id: ValueId, lane: u32) -> Option<ValueId> {
         let circuit = self.circuit;
         let Cell { ref kind, width, .. } = circuit[id];
+        if let Some((of, from)) = kind.source(lane) {
+            return Some(self.lane(of, from));
+        }
         Some(match *kind {
             Kind::Const(ref bits) => self.maker.add(Kind::Const(bits.clone()), 1, width),
-            Kind::Alias(of) => self.lane(of, lane),
-            Kind::Broadcast { of, axis } => self.lane(of, axis.split(lane).1),
-            Kind::Stack { ref parts, inner } => {
-                let (number, rest) = Axis { count: parts.len() as u32, inner }.split(lane);
-                self.lane(parts[number as usize], rest)
-            }
-            Kind::Map { of, axis, count, index, edge } => {
-                let (number, rest) = Axis { count, ..axis }.split(lane);
-                match index.source(number, axis.count) {
-                    Some(from) => self.lane(of, axis.at(rest, from)),
-                    None => self.lane(edge?, rest),
-                }
-            }
-            Kind::Interleave { ref parts, axis } => {
-                let all = parts.len() as u32;
-                let (number, rest) = Axis { count: axis.count * all, ..axis }.split(lane);
-                self.lane(parts[(number % all) as usize], axis.at(rest, number / all))
-            }
-            Kind::Lane { of, axis, index } => self.lane(of, axis.at(lane, index)),
             Kind::Unpack { of, axis } => {
                 let (number, rest) = axis.split(lane);
                 let word = self.lane(of, rest);

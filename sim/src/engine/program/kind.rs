@@ -309,6 +309,32 @@ impl Kind {
         each_operand!(self, iter_mut, visit);
     }
 
+    /// The operand, and its lane, that a movement of lanes copies to a lane; `None` of operations that compute, or that a number steers.
+    pub fn source(&self, lane: u32) -> Option<(ValueId, u32)> {
+        Some(match *self {
+            Kind::Alias(of) => (of, lane),
+            Kind::Broadcast { of, axis } => (of, axis.split(lane).1),
+            Kind::Stack { ref parts, inner } => {
+                let (number, rest) = Axis { count: parts.len() as u32, inner }.split(lane);
+                (parts[number as usize], rest)
+            }
+            Kind::Map { of, axis, count, index, edge } => {
+                let (number, rest) = Axis { count, ..axis }.split(lane);
+                match index.source(number, axis.count) {
+                    Some(from) => (of, axis.at(rest, from)),
+                    None => (edge?, rest),
+                }
+            }
+            Kind::Interleave { ref parts, axis } => {
+                let all = parts.len() as u32;
+                let (number, rest) = Axis { count: axis.count * all, ..axis }.split(lane);
+                (parts[(number % all) as usize], axis.at(rest, number / all))
+            }
+            Kind::Lane { of, axis, index } => (of, axis.at(lane, index)),
+            _ => return None,
+        })
+    }
+
     /// Whether each lane of the result depends on the same lane of the operands only.
     pub fn is_elementwise(&self) -> bool {
         match self {

@@ -4,34 +4,17 @@ use tilewright_hdl::ir::Reduction;
 use tilewright_hdl::top_mask;
 
 use super::Number;
-use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
+use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 use crate::limbs;
 
 /// Computes one lane of a cell that is not elementwise into `out`.
 pub(super) fn evaluate<'a>(cell: &Cell, lane: u32, out: &mut [u64], at: impl Fn(ValueId, u32) -> Number<'a>) {
     let width = cell.width;
+    if let Some((of, from)) = cell.kind.source(lane) {
+        return out.copy_from_slice(at(of, from).limbs);
+    }
     match &cell.kind {
         Kind::Const(bits) => out.copy_from_slice(bits.limbs()),
-        Kind::Alias(of) => out.copy_from_slice(at(*of, lane).limbs),
-        Kind::Broadcast { of, axis } => out.copy_from_slice(at(*of, axis.split(lane).1).limbs),
-        Kind::Stack { parts, inner } => {
-            let (outer, within) = (lane / (parts.len() as u32 * inner), lane % (parts.len() as u32 * inner));
-            out.copy_from_slice(at(parts[(within / inner) as usize], outer * inner + within % inner).limbs);
-        }
-        Kind::Map { of, axis, count, index, edge } => {
-            let (number, rest) = Axis { count: *count, ..*axis }.split(lane);
-            match (index.source(number, axis.count), edge) {
-                (Some(from), _) => out.copy_from_slice(at(*of, axis.at(rest, from)).limbs),
-                (None, Some(edge)) => out.copy_from_slice(at(*edge, rest).limbs),
-                (None, None) => unreachable!("a lane outside has an edge: {cell:?}"),
-            }
-        }
-        Kind::Interleave { parts, axis } => {
-            let k = parts.len() as u32;
-            let (number, rest) = Axis { count: axis.count * k, ..*axis }.split(lane);
-            out.copy_from_slice(at(parts[(number % k) as usize], axis.at(rest, number / k)).limbs);
-        }
-        Kind::Lane { of, axis, index } => out.copy_from_slice(at(*of, axis.at(lane, *index)).limbs),
         Kind::Pick { of, axis, index } => match at(*index, lane).at_most(axis.count) {
             number if number < axis.count => out.copy_from_slice(at(*of, axis.at(lane, number)).limbs),
             _ => out.fill(0),

@@ -38,40 +38,36 @@ pub(in crate::engine) enum Operation {
     Call(Value, Vec<Value>),
 }
 
-impl Operation {
-    /// Visits the values that it uses, each as often as it does.
-    pub fn for_each_operand(&self, mut visit: impl FnMut(Value)) {
-        match self {
+/// Calls `$visit` with a reference to every value that an operation uses, mutable or not as `$iter` is.
+macro_rules! each_operand {
+    ($operation:expr, $iter:ident, $visit:ident) => {
+        match $operation {
             Operation::Parameter | Operation::Constant(_) | Operation::Address(_) | Operation::Bytes(_) => {}
-            Operation::Unary(_, of) | Operation::Lane(of, _) | Operation::Load { address: of, .. } => visit(*of),
+            Operation::Unary(_, x) | Operation::Lane(x, _) | Operation::Load { address: x, .. } => $visit(x),
             Operation::Binary(_, x, y)
             | Operation::Compare(_, x, y)
             | Operation::Shuffle(x, y, _)
-            | Operation::WithLane(x, y, _) => [*x, *y].into_iter().for_each(visit),
-            Operation::Select(x, y, z) | Operation::Blend(x, y, z) => [*x, *y, *z].into_iter().for_each(visit),
+            | Operation::WithLane(x, y, _) => [x, y].into_iter().for_each($visit),
+            Operation::Select(x, y, z) | Operation::Blend(x, y, z) => [x, y, z].into_iter().for_each($visit),
             Operation::Call(function, arguments) => {
-                visit(*function);
-                arguments.iter().for_each(|argument| visit(*argument));
+                $visit(function);
+                arguments.$iter().for_each($visit);
             }
         }
+    };
+}
+
+impl Operation {
+    /// Visits the values that it uses, each as often as it does.
+    pub fn for_each_operand(&self, mut visit: impl FnMut(Value)) {
+        let mut visit = |value: &Value| visit(*value);
+        each_operand!(self, iter, visit);
     }
 
     /// Replaces the values that it uses.
     pub fn rewrite(&mut self, mut operand: impl FnMut(Value) -> Value) {
         let mut change = |value: &mut Value| *value = operand(*value);
-        match self {
-            Operation::Parameter | Operation::Constant(_) | Operation::Address(_) | Operation::Bytes(_) => {}
-            Operation::Unary(_, of) | Operation::Lane(of, _) | Operation::Load { address: of, .. } => change(of),
-            Operation::Binary(_, x, y)
-            | Operation::Compare(_, x, y)
-            | Operation::Shuffle(x, y, _)
-            | Operation::WithLane(x, y, _) => [x, y].into_iter().for_each(change),
-            Operation::Select(x, y, z) | Operation::Blend(x, y, z) => [x, y, z].into_iter().for_each(change),
-            Operation::Call(function, arguments) => {
-                change(function);
-                arguments.iter_mut().for_each(change);
-            }
-        }
+        each_operand!(self, iter_mut, change);
     }
 }
 

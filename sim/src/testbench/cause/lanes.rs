@@ -12,27 +12,10 @@ use crate::engine::program::{Axis, Kind, ValueId};
 pub(super) fn demands(asked: &Asked, value: &mut dyn FnMut(ValueId, u32) -> Bits) -> Vec<Demand> {
     let &Asked { circuit, cell, lane, bits } = asked;
     let same = |of: ValueId, lane: u32| vec![Demand::data(of, lane, bits.clone())];
+    if let Some((of, from)) = cell.kind.source(lane) {
+        return same(of, from);
+    }
     match &cell.kind {
-        Kind::Alias(of) => same(*of, lane),
-        Kind::Broadcast { of, axis } => same(*of, axis.split(lane).1),
-        Kind::Stack { parts, inner } => {
-            let (outer, within) = (lane / (parts.len() as u32 * inner), lane % (parts.len() as u32 * inner));
-            same(parts[(within / inner) as usize], outer * inner + within % inner)
-        }
-        Kind::Map { of, axis, count, index, edge } => {
-            let (number, rest) = Axis { count: *count, ..*axis }.split(lane);
-            match (index.source(number, axis.count), edge) {
-                (Some(from), _) => same(*of, axis.at(rest, from)),
-                (None, Some(edge)) => same(*edge, rest),
-                (None, None) => Vec::new(),
-            }
-        }
-        Kind::Interleave { parts, axis } => {
-            let k = parts.len() as u32;
-            let (number, rest) = Axis { count: axis.count * k, ..*axis }.split(lane);
-            same(parts[(number % k) as usize], axis.at(rest, number / k))
-        }
-        Kind::Lane { of, axis, index } => same(*of, axis.at(lane, *index)),
         Kind::Pick { of, axis, index } => {
             let number = at_most(&value(*index, lane), axis.count);
             let mut all = vec![Demand::control(*index, lane, mask::all(circuit[*index].width))];
