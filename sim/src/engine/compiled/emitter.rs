@@ -80,7 +80,13 @@ impl Addresses {
         let own = plan.live_out.iter().filter(|id| !plan.homes.contains_key(id));
         for id in tables.iter().chain(own) {
             let cell = function.cell(*id);
-            places[id.index()].get_or_insert_with(|| layout.place(cell.lanes, cell.width));
+            let place = *places[id.index()].get_or_insert_with(|| layout.place(cell.lanes, cell.width));
+            // An address that pieces of a function pass on.
+            if let Kind::Alias(of) = cell.kind
+                && let Some(of) = places[of.index()]
+            {
+                layout.same_address(place, of);
+            }
         }
         for (&new, &of) in &plan.homes {
             places[new.index()] = places[of.index()];

@@ -100,9 +100,22 @@ impl Layout {
         }
     }
 
+    /// Whether a place has fewer numbers than its width allows: those of a table, which nothing changes.
+    pub fn is_limited(&self, place: Place) -> bool {
+        let extent = self.index(place.offset as i64).map(|index| self.taken[index]);
+        extent.is_some_and(|extent| extent.most < top_mask(place.width.min(64)))
+    }
+
     /// A place has the address of other memory of so many bytes.
     pub fn address(&mut self, place: Place, bytes: usize) {
         self.addresses.push((place.offset, bytes));
+    }
+
+    /// A place has what another one has: an address, if that has one.
+    pub fn same_address(&mut self, place: Place, of: Place) {
+        if let Some((_, bytes)) = self.addresses.iter().copied().find(|(at, _)| *at == of.offset) {
+            self.address(place, bytes);
+        }
     }
 
     fn index(&self, at: i64) -> Option<usize> {

@@ -149,11 +149,19 @@ impl Compiled {
 
     /// A function that stores values at these places.
     fn prepare_look(&mut self, held: &Held, values: &[ValueId], places: &[Place]) -> Prepared {
+        let (values, places) = self.apart(values, places);
         let mut maker = Maker::new(&self.program);
-        let own = maker.own(values);
+        let own = maker.own(&values);
         let mut maker = maker.hold(held);
-        maker.leave(values, &own);
-        self.prepare(&maker.finish().0, places)
+        maker.leave(&values, &own);
+        self.prepare(&maker.finish().0, &places)
+    }
+
+    /// The values that are neither state themselves nor tables: those stay where an edge changes them, or as they are.
+    fn apart(&self, values: &[ValueId], places: &[Place]) -> (Vec<ValueId>, Vec<Place>) {
+        let is_apart =
+            |(_, place): &(&ValueId, &Place)| !self.places.contains(&Some(**place)) && !self.layout.is_limited(**place);
+        values.iter().zip(places).filter(is_apart).unzip()
     }
 
     /// The values that an edge samples.
@@ -174,9 +182,7 @@ impl Compiled {
         given: &[ValueId],
         places: &[Place],
     ) -> Vec<Prepared> {
-        // A value that is state itself stays where the edge changes it: for the edge, it is not a separate value.
-        let is_apart = |(_, place): &(&ValueId, &Place)| !self.places.contains(&Some(**place));
-        let (given, places): (Vec<ValueId>, Vec<Place>) = given.iter().zip(places).filter(is_apart).unzip();
+        let (given, places) = self.apart(given, places);
         let functions = self.edge_functions(rising, resets, held, &given);
         functions.iter().map(|function| self.prepare_edge(function, &places)).collect()
     }

@@ -343,8 +343,9 @@ impl Emitter<'_, '_> {
         let (by, total) = (i64::from(by), i64::from(strip.total));
         self.collect(strip, id, of, |emitter, lane| {
             let from = emitter.builder.add_constant(lane, -by);
-            // A lane before the first one becomes a number far beyond the last.
-            let limit = emitter.builder.constant(Type::I64, total - 1);
+            // A lane before the first one becomes a number far beyond the last. In its place the lane itself is loaded,
+            // or the last one: these have not changed yet.
+            let limit = if by > 0 { lane } else { emitter.builder.constant(Type::I64, total - 1) };
             emitter.builder.min(from, limit)
         });
     }

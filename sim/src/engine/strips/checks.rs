@@ -4,8 +4,8 @@ use super::bounds::{Base, Extent, Surroundings};
 use super::program::Program;
 use super::text::Notes;
 
-/// A register of 64 bytes with padding before and behind it, one of 4 bits behind that, a memory of 32 bytes, and a
-/// place with the address of one of 64.
+/// A register of 64 bytes with padding before and behind it, one of 4 bits behind that, a memory of 32 bytes, a
+/// place with the address of one of 64, and a table of numbers up to 63.
 struct Memory;
 
 const ADDRESS: usize = 4096;
@@ -17,6 +17,7 @@ impl Surroundings for Memory {
             (Base::State, 0..128) => extent(0, 128, 8, 255, true),
             (Base::State, 128..136) => extent(128, 136, 64, 15, true),
             (Base::State, 136..144) => extent(136, 144, 64, u64::MAX, false),
+            (Base::State, 160..176) => extent(160, 176, 8, 63, false),
             (Base::Known(ADDRESS), 0..32) => extent(0, 32, 8, 255, true),
             (Base::Stored(136), 0..64) => extent(0, 64, 64, u64::MAX, false),
             _ => None,
@@ -136,6 +137,12 @@ v4: i64 = add @0 v3\nv5: i8 = load [v4]",
 v4: i64 = load [v3]",
         "loop v0: i64 = 48\n  v1: i64 = add state v0\n  v2: i8x16 = load [v1 + 64]\n  v3: i64 = add v0 -16
 again if v0 with v3",
+        // The address of the next one; shifted by any amount; a product of bytes, two and two.
+        "v0: i64 = load [state + 136]\nv1: i64 = add v0 8\nstore i64 [state + 136] v1",
+        "v0: i8x16 = load [state]\nv1: i8x16 = and v0 0x07\nv2: i16x8 = cast i8x16 v1\nv3: i16x8 = mul v2 v2
+v4: i16x8 = and v3 0x00ff\nv5: i16x8 = shr v2 8\nv6: i16x8 = and v2 0xff00\nv7: i16x8 = mul v5 v6\nv8: i16x8 = or v4 v7
+v9: i8x16 = cast i16x8 v8\nstore i8x16 [state + 160] v9",
+        "v0: i8x16 = and 0x3f 0x3f\nv1: i8x16 = shr v0 argument\nstore i8x16 [state + 160] v1",
         "v0: i8 = eq i64 argument 7\nv1: i64 = and argument 15\nv2: i64 = select v0 31 v1\nv3: i64 = add @0 v2
 v4: i8 = load [v3]",
     ] {
@@ -159,6 +166,11 @@ fn an_access_that_may_be_elsewhere_is_refused() {
         ("store i64 [scratch] 1", "value 2 leads to bytes 0 to 8 of Scratch, and the allocation there has 0 to 0"),
         ("v0: i64 = add state argument\nv1: i8 = load [v0]", "value 3 leads to byte 0 of Unit, where no allocation is"),
         ("v0: i64 = div 8 argument", "value 4 may divide by zero"),
+        ("store i64 [state + 136] 1", "value 3 is no address, and it is stored in the place of one"),
+        (
+            "v0: i8x16 = load [state + 160]\nv1: i8x16 = add v0 v0\nstore i8x16 [state + 160] v1",
+            "value 4 may be more than 63, and it is stored in the allocation of 160 to 176, whose numbers are at most that",
+        ),
         ("switch argument by 0 0\ncase 0\n  then", "value 1 may be 18446744073709551615, and a switch has 2 cases"),
     ] {
         assert_eq!(said(text), sentence, "{text}");
@@ -178,7 +190,7 @@ fn old_values_are_read_before_they_are_changed() {
         ("store i8 [state] 1\nv0: i8 = load [state + 1]", ""),
         ("store i8 [state] 1\nthen\nv0: i8 = load [state]", ""),
         // What is no state, and what a memory keeps.
-        ("store i64 [state + 136] 1\nv0: i64 = load [state + 136]", ""),
+        ("v0: i64 = load [state + 136]\nstore i64 [state + 136] v0\nv1: i64 = load [state + 136]", ""),
         ("store i8 [@0] 1\nv0: i8 = load [@0]", "value 6 is loaded after it was changed"),
         ("v0: i64 = add @0 1\nstore i8 [v0] 1\nv1: i8 = load [v0]\nstore i8 [v0] v1", ""),
         // Cases of one branch do not follow each other, but what is behind them does.
@@ -212,4 +224,23 @@ fn lanes_are_read_before_another_lane_changes_them() {
     let later = later.replace("v4", "w4").replace("v5", "w5");
     assert!(said(&format!("{LOOP}{later}")).ends_with("is loaded after it was changed"));
     assert_eq!(said(&format!("{LOOP}\nthen{later}")), "");
+}
+
+#[test]
+fn a_minimum_of_lanes_keeps_which_lanes_they_may_be() {
+    let said = |start: &str, neighbour: &str, limit: &str, next: &str| {
+        said(&format!(
+            "loop v0: i64 = {start}\n  v1: i64 = add v0 {neighbour}\n  v2: i64 = min v1 {limit}\n  v3: i64 = shl v2 3
+  v4: i64 = add state v3\n  v5: i64 = load [v4 + 32]\n  v6: i64 = shl v0 3\n  v7: i64 = add state v6
+  store i64 [v7 + 32] v5\n  {next} with v8"
+        ))
+    };
+    let ascending = |limit: &str| said("0", "1", limit, "v8: i64 = add v0 1\n  v9: i8 = ult i64 v8 4\nagain if v9");
+    let descending = |limit: &str| said("3", "-1", limit, "v8: i64 = add v0 -1\nagain if v0");
+    // The last lane takes itself, or the one before, which has changed.
+    assert_eq!(ascending("3"), "");
+    assert!(ascending("2").ends_with("after another lane was changed"), "{}", ascending("2"));
+    // The first lane takes itself, or the last one, which has changed.
+    assert_eq!(descending("v0"), "");
+    assert!(descending("3").ends_with("after another lane was changed"), "{}", descending("3"));
 }

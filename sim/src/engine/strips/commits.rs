@@ -64,6 +64,9 @@ impl Program {
     }
 }
 
+/// Counters of loops times constants, sorted, and what else is added at least and at most.
+type Sum = (Vec<(Value, i64)>, i64, i64);
+
 struct Walk<'p> {
     program: &'p Program,
     facts: &'p [Fact],
@@ -84,7 +87,7 @@ impl Walk<'_> {
     }
 
     /// A number as a sum.
-    fn sum(&self, value: Value) -> (Vec<(Value, i64)>, i64, i64) {
+    fn sum(&self, value: Value) -> Sum {
         let constant = |value: Value| match *self.operation_of(value) {
             Operation::Constant(number) => Some(number),
             _ => None,
@@ -99,6 +102,7 @@ impl Walk<'_> {
                         None => counters.push((counter, by)),
                     }
                 }
+                counters.sort_unstable();
                 (counters, a.saturating_add(c), b.saturating_add(d))
             }
             Operation::Binary(binary @ (Binary::Mul | Binary::Shl), x, by) => match (binary, constant(by)) {
@@ -106,17 +110,32 @@ impl Walk<'_> {
                 (Binary::Shl, Some(by)) if by < 32 => self.times(x, 1 << by),
                 _ => self.range(value),
             },
+            Operation::Binary(Binary::Min, x, y) => self.least(x, y).unwrap_or_else(|| self.range(value)),
             _ => self.range(value),
         }
     }
 
-    fn times(&self, value: Value, by: i64) -> (Vec<(Value, i64)>, i64, i64) {
+    /// The lesser one of two numbers without a sign, as a sum with the counters of the first one.
+    fn least(&self, x: Value, y: Value) -> Option<Sum> {
+        let ((counters, a, b), (others, c, d)) = (self.sum(x), self.sum(y));
+        if counters == others {
+            return (!counters.is_empty()).then(|| (counters, a.min(c), b.max(d)));
+        }
+        // The second one is so much more than the counters of the first one.
+        (others.is_empty() && c >= 0).then_some(())?;
+        let (low, high) = self.span(&counters);
+        let (least, most) = (c.saturating_sub(high), d.saturating_sub(low));
+        // Below zero, the first one is a large number.
+        Some((counters, a.min(least), if low.saturating_add(a) < 0 { b.max(most) } else { b }))
+    }
+
+    fn times(&self, value: Value, by: i64) -> Sum {
         let (counters, a, b) = self.sum(value);
         let counters = counters.into_iter().map(|(counter, times)| (counter, times.saturating_mul(by))).collect();
         (counters, a.saturating_mul(by), b.saturating_mul(by))
     }
 
-    fn range(&self, value: Value) -> (Vec<(Value, i64)>, i64, i64) {
+    fn range(&self, value: Value) -> Sum {
         let (least, most) = match self.facts[value.index()] {
             Fact::Address(_, least, most) => (least, most),
             Fact::Number(least, most) => (least as i64, most as i64),
@@ -126,26 +145,27 @@ impl Walk<'_> {
     }
 
     fn touched(&self, access: &Access) -> Touched {
-        let (mut counters, first, last) = self.sum(access.address);
-        counters.sort_unstable();
+        let (counters, first, last) = self.sum(access.address);
         let (first, end) = (first.saturating_add(access.offset), last.saturating_add(access.offset + access.size));
         Touched { base: access.base, place: access.extent.start, counters, first, end }
     }
 
+    /// The least and the greatest sum of counters.
+    fn span(&self, counters: &[(Value, i64)]) -> (i64, i64) {
+        counters.iter().fold((0i64, 0i64), |(low, high), (counter, by)| {
+            let Counter { least, most, .. } = self.counters[counter];
+            let ends = [least, most].map(|end| end.saturating_mul(*by));
+            (low.saturating_add(ends[0].min(ends[1])), high.saturating_add(ends[0].max(ends[1])))
+        })
+    }
+
     /// The same with the ranges of counters in place of all counters, or of those that are not open and not `kept`.
     fn without(&self, of: &Touched, kept: Option<Value>) -> Touched {
-        let mut all = Touched { counters: Vec::new(), ..of.clone() };
-        for &(counter, by) in &of.counters {
-            if kept.is_some() && (kept == Some(counter) || self.open.contains(&counter)) {
-                all.counters.push((counter, by));
-                continue;
-            }
-            let Counter { least, most, .. } = self.counters[&counter];
-            let (least, most) = (least.saturating_mul(by), most.saturating_mul(by));
-            all.first = all.first.saturating_add(least.min(most));
-            all.end = all.end.saturating_add(least.max(most));
-        }
-        all
+        let stays =
+            |(counter, _): &(Value, i64)| kept.is_some() && (kept == Some(*counter) || self.open.contains(counter));
+        let (counters, others): (Vec<_>, Vec<_>) = of.counters.iter().partition(|it| stays(it));
+        let (low, high) = self.span(&others);
+        Touched { counters, first: of.first.saturating_add(low), end: of.end.saturating_add(high), ..of.clone() }
     }
 
     /// Whether a load and a store may be of the same byte: in the same iteration if they have the same counters, or else

@@ -50,7 +50,8 @@ impl Lanes {
                 let parts = self.multiplied(b, &value, &powers);
                 Vector { width, element, form, parts, inverse: None }
             }
-            Shift::Right => self.shifted_down(b, &value, by),
+            // It is clean, but only a mask shows that a number stored in a place is within its width.
+            Shift::Right => Vector { form: Form::Bits(element), ..self.shifted_down(b, &value, by) },
             Shift::RightSigned => {
                 // Shifted without a sign, with negative numbers inverted before and after.
                 let signs = match element {

@@ -129,6 +129,34 @@ impl Fact {
             }
         }
     }
+
+    /// The bits of a vector that may be 1.
+    fn vector(self) -> u128 {
+        if let Vector(bits) = self { bits } else { u128::MAX }
+    }
+
+    /// Each bit of `x` where the mask is 1, else of `y`.
+    pub fn blend(mask: Fact, x: Fact, y: Fact) -> Fact {
+        Vector(x.vector() & mask.vector() | y.vector())
+    }
+
+    /// Bytes chosen of two vectors.
+    pub fn shuffle(x: Fact, y: Fact, bytes: &[u8; 16]) -> Fact {
+        let both = [x, y].map(|it| it.vector().to_le_bytes()).concat();
+        Vector(u128::from_le_bytes(bytes.map(|byte| both[usize::from(byte)])))
+    }
+
+    /// A number of a vector of this type.
+    pub fn lane(self, ty: Type, lane: u8) -> Fact {
+        Number(0, (self.vector() >> (u32::from(lane) * ty.element())) as u64 & ones(ty.element()))
+    }
+
+    /// A vector of this type with another number in a lane.
+    pub fn with_lane(self, ty: Type, number: Fact, lane: u8) -> Fact {
+        let (low, all) = (u32::from(lane) * ty.element(), u128::from(ones(ty.element())));
+        let number = number.range(ty.of_lane()).1;
+        Vector(self.vector() & !(all << low) | u128::from(smear(number)) << low)
+    }
 }
 
 /// An address and a number without a sign, which may mean one below zero.
@@ -165,6 +193,24 @@ fn of_numbers(binary: Binary, ty: Type, (a, b): (u64, u64), (c, d): (u64, u64)) 
     }
 }
 
+/// The bits that may be 1 in a product of numbers with such bits.
+fn product(x: u64, y: u64, bits: u32) -> u64 {
+    let all = ones(bits);
+    let smeared = match x.checked_mul(y) {
+        Some(most) if most <= all => smear(most),
+        // The lower half is that of a product of the lower halves.
+        _ if bits > 1 => {
+            let low = ones(bits / 2);
+            all & !low | product(x & low, y & low, bits / 2)
+        }
+        _ => all,
+    };
+    match x.trailing_zeros() + y.trailing_zeros() {
+        0 => smeared,
+        zeros => smeared & !ones(zeros.min(bits)),
+    }
+}
+
 /// The bits that may be 1 in a result of vectors with such bits.
 fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, u128), (right, y): (Fact, u128)) -> u128 {
     let all = ones(ty.element());
@@ -174,16 +220,19 @@ fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, u128), (right, y): (Fa
         Number(c, d) if c == d => Some((c % u64::from(ty.element())) as u32),
         _ => None,
     };
-    let shifted = |of: &dyn Fn(u64, u32) -> u64| lanes(ty, |i| by.map_or(all, |by| of(lane(ty, x, i), by)));
+    let shifted = |any: &dyn Fn(u64) -> u64, of: &dyn Fn(u64, u32) -> u64| {
+        lanes(ty, |i| by.map_or_else(|| any(lane(ty, x, i)), |by| of(lane(ty, x, i), by)))
+    };
+    let signed = |x: u64, other: u64| if x > all / 2 { all } else { other };
     match binary {
         Binary::Add => each(&|x, y| sized(x.checked_add(y))),
-        Binary::Mul => each(&|x, y| sized(x.checked_mul(y))),
+        Binary::Mul => each(&|x, y| product(x, y, ty.element())),
         Binary::And => x & y,
         Binary::Or | Binary::Xor => x | y,
         Binary::Min => each(&|x, y| smear(x.min(y))),
-        Binary::Shl => shifted(&|x, by| x << by),
-        Binary::Shr => shifted(&|x, by| x >> by),
-        Binary::Sar => shifted(&|x, by| if x > all / 2 { all } else { x >> by }),
+        Binary::Shl => shifted(&|_| all, &|x, by| x << by),
+        Binary::Shr => shifted(&smear, &|x, by| x >> by),
+        Binary::Sar => shifted(&|x| signed(x, smear(x)), &|x, by| signed(x, x >> by)),
         Binary::Narrow { signed } => lanes(ty, |i| {
             let of = |bits, i| lane(from, bits, i);
             let bits = if i < from.lanes() { of(x, i) } else { of(y, i - from.lanes()) };

@@ -9,7 +9,7 @@ mod fact;
 use std::cell::RefCell;
 
 use super::commits::Touched;
-use super::operation::{Binary, Comparison, Operation, Unary};
+use super::operation::{Binary, Comparison, Load, Operation, Unary};
 use super::program::{Loop, Program, Statement};
 use super::value::{Type, Value};
 pub(in crate::engine) use fact::Fact;
@@ -151,6 +151,9 @@ impl Walk<'_> {
             Statement::Store { value, address, offset, .. } => {
                 let (ty, fact) = self.both(*value);
                 let extent = self.access(*address, *offset, ty.bytes())?;
+                if self.address_at(*address, *offset).is_some() && !matches!(fact, Fact::Address(Base::Stored(_), ..)) {
+                    return Err(format!("value {} is no address, and it is stored in the place of one", value.0));
+                }
                 if !fact.fits(ty, extent) {
                     let Extent { start, end, most, .. } = extent;
                     return Err(format!(
@@ -227,6 +230,13 @@ impl Walk<'_> {
         }
     }
 
+    /// The place in the state, if the address of an allocation is stored there.
+    fn address_at(&self, address: Value, offset: i32) -> Option<i64> {
+        let Fact::Address(Base::State | Base::Unit, at, same) = self.of(address) else { return None };
+        let place = at.saturating_add(offset.into());
+        (at == same && self.surroundings.is_address(place)).then_some(place)
+    }
+
     fn operation(&mut self, value: Value) -> Result<Fact, String> {
         let (operation, ty) = &self.program.values[value.index()];
         let ty = *ty;
@@ -245,15 +255,14 @@ impl Walk<'_> {
                     return Err(format!("value {} may divide by zero", value.0));
                 }
                 let [state, argument, _] = Program::PARAMETERS;
-                match () {
-                    () if (*binary, *x, *y) == (Binary::Add, state, argument) => Fact::Address(Base::Unit, 0, 0),
-                    () if *binary == Binary::Sub && self.remainder(*x, *y).is_some() => {
-                        Fact::Number(0, self.remainder(*x, *y).expect("there is one"))
-                    }
-                    () if *binary == Binary::And && !ty.is_vector() => {
+                let remainder = if *binary == Binary::Sub { self.remainder(*x, *y) } else { None };
+                match (binary, remainder) {
+                    (Binary::Add, _) if (*x, *y) == (state, argument) => Fact::Address(Base::Unit, 0, 0),
+                    (_, Some(most)) => Fact::Number(0, most),
+                    (Binary::And, _) if !ty.is_vector() => {
                         Fact::Number(0, (self.bits(*x) & self.bits(*y)).min(self.range(*x).1).min(self.range(*y).1))
                     }
-                    () => Fact::binary(*binary, ty, self.both(*x), self.both(*y)),
+                    _ => Fact::binary(*binary, ty, self.both(*x), self.both(*y)),
                 }
             }
             Operation::Compare(..) if !ty.is_vector() => Fact::Number(0, 1),
@@ -264,15 +273,11 @@ impl Walk<'_> {
             Operation::Lane(of, lane) => self.of(*of).lane(self.ty(*of), *lane),
             Operation::WithLane(vector, number, lane) => self.of(*vector).with_lane(ty, self.of(*number), *lane),
             Operation::Load { load, address, offset, .. } => {
-                let size = if *load == super::Load::Whole { ty.bytes() } else { ty.bytes() / 2 };
+                let size = if *load == Load::Whole { ty.bytes() } else { ty.bytes() / 2 };
                 let extent = self.access(*address, *offset, size)?;
-                match self.of(*address) {
-                    Fact::Address(Base::State | Base::Unit, at, same)
-                        if at == same && self.surroundings.is_address(at + i64::from(*offset)) =>
-                    {
-                        Fact::Address(Base::Stored(at + i64::from(*offset)), 0, 0)
-                    }
-                    _ => Fact::loaded(*load, ty, extent.integer, extent.most),
+                match self.address_at(*address, *offset) {
+                    Some(at) => Fact::Address(Base::Stored(at), 0, 0),
+                    None => Fact::loaded(*load, ty, extent.integer, extent.most),
                 }
             }
         })
@@ -321,29 +326,4 @@ pub(super) fn step(program: &Program, all: &Loop, index: usize) -> Option<i64> {
     let Operation::Binary(Binary::Add, of, by) = program.values[next[index].index()].0 else { return None };
     let Operation::Constant(by) = program.values[by.index()].0 else { return None };
     (of == all.parameters[index] && by != 0 && program.type_of(of) == Type::I64).then_some(by)
-}
-
-impl Fact {
-    fn vector(self) -> u128 {
-        if let Fact::Vector(bits) = self { bits } else { u128::MAX }
-    }
-
-    fn blend(mask: Fact, x: Fact, y: Fact) -> Fact {
-        Fact::Vector(x.vector() & mask.vector() | y.vector())
-    }
-
-    fn shuffle(x: Fact, y: Fact, bytes: &[u8; 16]) -> Fact {
-        let both = [x, y].map(|it| it.vector().to_le_bytes()).concat();
-        Fact::Vector(u128::from_le_bytes(bytes.map(|byte| both[usize::from(byte)])))
-    }
-
-    fn lane(self, ty: Type, lane: u8) -> Fact {
-        Fact::Number(0, (self.vector() >> (u32::from(lane) * ty.element())) as u64 & ones(ty.element()))
-    }
-
-    fn with_lane(self, ty: Type, number: Fact, lane: u8) -> Fact {
-        let (low, all) = (u32::from(lane) * ty.element(), u128::from(ones(ty.element())));
-        let number = number.range(ty.of_lane()).1;
-        Fact::Vector(self.vector() & !(all << low) | u128::from(smear(number)) << low)
-    }
 }
