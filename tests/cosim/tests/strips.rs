@@ -22,12 +22,17 @@ fn the_programs_of_every_block_pass_the_checks_and_mutants_do_not() {
     assert!(wrong.is_empty(), "{} programs are wrong, the first of them:\n{}", wrong.len(), wrong[0]);
     let sum = |of: fn(&Examined) -> usize| all.iter().map(of).sum::<usize>();
     let (programs, accesses) = (sum(|it| it.programs), sum(|it| it.accesses));
-    let (clamps, refused) = (sum(|it| it.clamps), sum(|it| it.refused));
+    let (clamps, refused, wild) = (sum(|it| it.clamps), sum(|it| it.refused), sum(|it| it.wild));
+    let (padded, bounded) = (sum(|it| it.padded), sum(|it| it.bounded));
     let (late, found) = (sum(|it| it.late), sum(|it| it.found));
+    println!("{programs} programs, {accesses} accesses; refused: {found} of {late} late");
     println!(
-        "{programs} programs, {accesses} accesses; refused: {refused} of {clamps} unclamped, {found} of {late} late"
+        "{clamps} unclamped: {refused} refused ({wild} run wild), {padded} in padding, {bounded} bounded otherwise"
     );
     assert!(programs > 200 && accesses > 20_000, "{programs} programs with {accesses} accesses");
     assert!(clamps > 50 && 5 * refused > 2 * clamps, "{refused} of {clamps} without a clamp are refused");
+    // What is accepted is run on the largest numbers, and must stay in its memory; what is refused need not.
+    assert!(wild > 10 && padded > 10 && bounded > 0, "{wild} run wild, {padded} and {bounded} are accepted");
+    assert_eq!(refused + padded + bounded, clamps);
     assert!(late > 100 && found == late, "{found} of {late} that read what they have changed are refused");
 }

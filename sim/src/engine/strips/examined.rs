@@ -1,6 +1,6 @@
 //! What the checks find of strip programs, and of their mutants.
 
-use super::bounds::{Access, Base, Surroundings};
+use super::bounds::{Access, Base, Bounds, Surroundings};
 use super::operation::{Binary, Load, Operation};
 use super::program::{Program, Region, Statement};
 use super::text::Notes;
@@ -15,9 +15,14 @@ pub struct Examined {
     pub accesses: usize,
     /// Masks and minima of addresses that were left out of a program, one at a time. Each makes a range smaller.
     pub clamps: usize,
-    /// The programs without one that were refused. In the others, indices stay in the padding of their allocation, or
-    /// another clamp follows.
+    /// The programs without one that were refused, and those of them that leave their memory when they run on large
+    /// numbers.
     pub refused: usize,
+    pub wild: usize,
+    /// The others, in which the index stays in the padding of its allocation, and those in which something else bounds
+    /// it.
+    pub padded: usize,
+    pub bounded: usize,
     /// Programs that read a place of the state again after they have changed it, and those that were refused.
     pub late: usize,
     pub found: usize,
@@ -40,13 +45,20 @@ impl Examined {
             }
             Ok(_) => {}
         }
-        match program.check(memory) {
-            Err(sentence) => self.wrong.push(format!("{sentence}\n{text}")),
-            Ok(bounds) => self.accesses += bounds.accesses.len(),
-        }
+        let bounds = match program.check(memory) {
+            Err(sentence) => return self.wrong.push(format!("{sentence}\n{text}")),
+            Ok(bounds) => bounds,
+        };
+        self.accesses += bounds.accesses.len();
+        self.read_late(program, &bounds, memory);
+        self.unclamp(program, &bounds, memory);
+    }
+
+    /// Examines the program that reads again what it has changed.
+    fn read_late(&mut self, program: &Program, bounds: &Bounds, memory: &dyn Surroundings) {
         let is_state = |address: Value, offset: i32| {
             let same = |access: &&Access| (access.address, access.offset) == (address, offset.into());
-            let access = program.bounds(memory).ok().and_then(|it| it.accesses.iter().find(same).copied());
+            let access = bounds.accesses.iter().find(same);
             access.is_some_and(|access| access.extent.is_state && access.base == Base::State)
         };
         let mut mutant = program.clone();
@@ -55,19 +67,42 @@ impl Examined {
             let bounds = mutant.bounds(memory);
             self.found += usize::from(bounds.is_ok_and(|bounds| mutant.commits(&bounds, &mut Vec::new()).is_err()));
         }
-        let Ok(bounds) = program.bounds(memory) else { return };
-        let is_needed = |clamp: &Value| {
-            let most = |value: &Value| bounds.facts[value.index()].range(Type::I64).1;
-            matches!(&program.values[clamp.index()].0, Operation::Binary(_, x, _) if most(x) > most(clamp))
+    }
+
+    /// Examines programs without a clamp. Those that are not refused stay in their allocations for a reason.
+    fn unclamp(&mut self, program: &Program, bounds: &Bounds, memory: &dyn Surroundings) {
+        let slice = program.of_addresses();
+        let most = |value: Value| bounds.facts[value.index()].range(Type::I64).1;
+        let is_needed = |clamp: &Value| match program.values[clamp.index()].0 {
+            Operation::Binary(Binary::Min | Binary::And, x, _) => most(x) > most(*clamp),
+            _ => false,
         };
-        let clamps: Vec<Value> = program.clamps().into_iter().filter(is_needed).collect();
+        let clamps: Vec<Value> = slice.iter().copied().filter(is_needed).collect();
         for clamp in clamps.iter().step_by(clamps.len() / CLAMPS + 1) {
-            let mut mutant = program.clone();
-            let Operation::Binary(binary, x, y) = &mut mutant.values[clamp.index()].0 else { continue };
-            // The same as its operand.
-            (*binary, *y) = (Binary::Min, *x);
+            let mutant = program.without_clamp(*clamp);
             self.clamps += 1;
-            self.refused += usize::from(mutant.bounds(memory).is_err());
+            let run = mutant.probe(bounds, memory.has_units());
+            let Ok(loose) = mutant.bounds(memory) else {
+                self.refused += 1;
+                self.wild += usize::from(run.is_err());
+                continue;
+            };
+            let is_wider = |value: Value| bounds.facts[value.index()] != loose.facts[value.index()];
+            let pairs = || bounds.accesses.iter().zip(&loose.accesses);
+            let is_explained = match pairs().any(|(access, _)| is_wider(access.address)) {
+                true => {
+                    self.padded += 1;
+                    pairs().all(|(access, other)| (access.base, access.extent) == (other.base, other.extent))
+                }
+                false => {
+                    self.bounded += 1;
+                    program.is_bounded(&slice, is_wider)
+                }
+            };
+            if run.is_err() || !is_explained {
+                let text = mutant.text(&Notes::NONE);
+                self.wrong.push(format!("without the clamp {} it leaves its allocation: {run:?}\n{text}", clamp.0));
+            }
         }
     }
 }
@@ -99,26 +134,48 @@ fn read_late(values: &mut Vec<(Operation, Type)>, region: &mut Region, is_state:
 }
 
 impl Program {
-    /// The masks and minima that addresses depend on.
-    fn clamps(&self) -> Vec<Value> {
+    /// The program in which a mask or minimum is the same as its first operand.
+    fn without_clamp(&self, clamp: Value) -> Program {
+        let mut mutant = self.clone();
+        if let Operation::Binary(binary, x, y) = &mut mutant.values[clamp.index()].0 {
+            (*binary, *y) = (Binary::Min, *x);
+        }
+        mutant
+    }
+
+    /// Whether each wider number ends at another mask or minimum, or beside bits that are as high as its own.
+    fn is_bounded(&self, slice: &[Value], is_wider: impl Fn(Value) -> bool) -> bool {
+        let ends = |value: &&Value| {
+            let mut takes = false;
+            self.values[value.index()].0.for_each_operand(|operand| takes |= is_wider(operand));
+            takes && !is_wider(**value)
+        };
+        let bounds = |value: &Value| {
+            let operation = &self.values[value.index()].0;
+            matches!(operation, Operation::Binary(Binary::Min | Binary::And | Binary::Or, ..))
+        };
+        let mut all = slice.iter().filter(ends).peekable();
+        all.peek().is_some() && all.all(bounds)
+    }
+
+    /// The numbers that addresses are made of.
+    fn of_addresses(&self) -> Vec<Value> {
         let (mut open, mut seen) = (Vec::new(), vec![false; self.values.len()]);
         self.addresses(&self.body, &mut open);
-        let mut clamps = Vec::new();
+        let mut slice = Vec::new();
         while let Some(value) = open.pop() {
             let (operation, ty) = &self.values[value.index()];
             if std::mem::replace(&mut seen[value.index()], true) || *ty != Type::I64 {
                 continue;
             }
+            slice.push(value);
             match operation {
                 Operation::Load { .. } | Operation::Call(..) => {}
                 _ => operation.for_each_operand(|operand| open.push(operand)),
             }
-            if matches!(operation, Operation::Binary(Binary::Min | Binary::And, ..)) {
-                clamps.push(value);
-            }
         }
-        clamps.sort_unstable();
-        clamps
+        slice.sort_unstable();
+        slice
     }
 
     /// The addresses of the accesses in a region.

@@ -8,13 +8,13 @@ mod builder;
 #[cfg(test)]
 mod checks;
 mod commits;
-#[cfg(test)]
 mod evaluate;
 mod examined;
 mod methods;
 mod names;
 mod operation;
 mod parse;
+mod probe;
 mod program;
 mod settled;
 mod text;
