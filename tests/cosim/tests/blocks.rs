@@ -15,7 +15,8 @@ const OTHER: &[(&str, u64)] =
 /// A size that has to be a power of two: half the default.
 const HALVED: &str = "side";
 
-/// Sizes that have to be powers of two, and cannot be smaller: twice the default.
+/// Sizes that have to be powers of two, or that are small already: twice the default. An array of pixels gets half of its lines where it
+/// may have so few: the same pixels in another shape, as twice of both takes the tools ten times as long.
 const DOUBLED: &[&str] = &["line", "lines"];
 
 /// Those of the machines, and those that any design uses.
@@ -33,9 +34,16 @@ fn small(entry: &Entry) -> impl Iterator<Item = (&'static str, u64)> {
     OTHER.iter().copied().filter(|(name, _)| has(entry, name)).chain(halved)
 }
 
-fn doubled(entry: &Entry) -> impl Iterator<Item = (&'static str, u64)> {
-    let parameters = entry.parameters.iter().filter(|it| DOUBLED.contains(&it.name));
-    parameters.map(|it| (it.name, 2 * it.default))
+fn doubled(entry: &Entry) -> Vec<(&'static str, u64)> {
+    let parameters = || entry.parameters.iter().filter(|it| DOUBLED.contains(&it.name));
+    let doubled = parameters().map(|it| (it.name, 2 * it.default)).collect();
+    if !has(entry, "line") {
+        return doubled;
+    }
+    let flat: Vec<_> =
+        parameters().map(|it| (it.name, if it.name == "line" { 2 * it.default } else { it.default / 2 })).collect();
+    let exists = entry.values(flat.clone()).is_ok_and(|values| entry.design(&values).is_ok());
+    if exists { flat } else { doubled }
 }
 
 /// A block in one size, and the run of its scenario.
@@ -68,7 +76,7 @@ impl Subject {
 
 /// The sizes of a block: its defaults, and others if it has sizes.
 fn sizes(entry: &Entry) -> Vec<(Vec<(&'static str, u64)>, Size)> {
-    let (small, doubled): (Vec<_>, Vec<_>) = (small(entry).collect(), doubled(entry).collect());
+    let (small, doubled): (Vec<_>, _) = (small(entry).collect(), doubled(entry));
     let simulators = Size::SimulatorsAndLinters;
     match (small.is_empty(), doubled.is_empty()) {
         (true, true) => vec![(small, Size::Everybody)],
