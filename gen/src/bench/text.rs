@@ -1,8 +1,9 @@
 //! The text of a replay testbench.
 
 use super::start::Start;
-use super::table::{Column, OwnNames, Table, numbers};
+use super::table::{Column, Inside, Table, numbers, tables};
 use crate::verilog::{Names, connect, packed_width, range, stop};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Design, Module};
@@ -14,8 +15,8 @@ const MOST_SHOWN: u32 = 10;
 /// Verilator's warning about a delay that may be 0.
 const ZERO_DELAY: &str = "ZERODLY";
 
-/// The testbench's own names, besides those of its table.
-const OWN: [&str; 8] = ["dut", "stimulus", "expected", "gap", "rising", "cycle", "errors", "run"];
+/// The testbench's own names, besides those of its tables.
+const OWN: [&str; 9] = ["dut", "stimulus", "expected", "gap", "rising", "cycle", "errors", "run", "fill"];
 
 /// A port of the top: its name and width.
 type Port<'a> = (&'a str, u32);
@@ -23,12 +24,14 @@ type Port<'a> = (&'a str, u32);
 pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
     let (bench, mut names) = Bench::new(design.top(), recording);
     let start = Start::new(design, bench.own("dut"), recording, &mut names);
-    let table = bench.table();
-    let mut body = bench.declarations(&table);
+    let inside = Inside::new(&mut names);
+    let tables = tables(bench.columns(), recording.steps.len(), &mut names);
+    let mut body = bench.declarations(&tables);
     body.extend(bench.device(design.top()));
     body.extend(generate_start(&start, &mut names));
-    body.extend(bench.run(&start.special, &table));
-    body.extend(table.tasks(&bench.own));
+    body.extend(bench.run(&start.special, &tables));
+    body.extend(bench.fill(&tables));
+    body.extend(tables.iter().flat_map(|table| table.task(&inside)));
     let mut text = format!(
         "// {name}\n//\n// Replays {} recorded steps of {} and compares every output before every edge.\n\
          `default_nettype none\n\nmodule {name};\n",
@@ -52,7 +55,7 @@ struct Bench<'a> {
     resets: Vec<Option<Reset>>,
     outputs: Vec<Port<'a>>,
     /// The names that it uses for its own declarations, and for the expected value of each output.
-    own: OwnNames,
+    own: BTreeMap<&'static str, String>,
     wants: Vec<String>,
     /// The gap between steps, if it is always the same.
     period: Option<u64>,
@@ -71,14 +74,14 @@ impl<'a> Bench<'a> {
             driven: resets.chain(inputs).collect(),
             resets: top.clocks.iter().map(|clock| clock.reset.as_ref().map(|_| clock.kind)).collect(),
             outputs: outputs.collect(),
-            own: OwnNames::new(),
+            own: BTreeMap::new(),
             wants: Vec::new(),
             period: None,
         };
         let mut names = Names::default();
         bench.clocks.iter().for_each(|clock| names.take(clock));
         bench.driven.iter().chain(&bench.outputs).for_each(|(port, _)| names.take(port));
-        bench.own = OWN.into_iter().chain(Table::NAMES).map(|name| (name, names.fresh(name))).collect();
+        bench.own = OWN.into_iter().map(|name| (name, names.fresh(name))).collect();
         bench.wants = bench.outputs.iter().map(|(name, _)| names.fresh(&format!("want_{name}"))).collect();
         let gaps = bench.gaps();
         bench.period = gaps.first().copied().filter(|first| gaps.iter().all(|gap| gap == first));
@@ -98,7 +101,7 @@ impl<'a> Bench<'a> {
         ports.iter().map(|port| port.1).sum()
     }
 
-    fn declarations(&self, table: &Table) -> Vec<String> {
+    fn declarations(&self, tables: &[Table]) -> Vec<String> {
         let mut out = vec![String::new()];
         out.extend(self.clocks.iter().map(|clock| format!("reg {clock};")));
         out.extend(self.driven.iter().map(|&(name, width)| format!("reg {}{name};", range(width))));
@@ -106,23 +109,23 @@ impl<'a> Bench<'a> {
         let wants = self.outputs.iter().zip(&self.wants);
         out.extend(wants.map(|(&(_, width), want)| format!("reg {}{want};", range(width))));
         out.push(String::new());
-        out.extend(table.declarations(&self.own));
+        out.extend(tables.iter().flat_map(Table::declarations));
         out.extend([format!("integer {};", self.own("cycle")), format!("integer {};", self.own("errors"))]);
         out
     }
 
     /// What each step does.
-    fn table(&self) -> Table {
+    fn columns(&self) -> Vec<Column> {
         let steps = &self.recording.steps;
         let mut columns = Vec::new();
         if self.period.is_none() {
-            columns.push(numbers("gap", &self.gaps()));
+            columns.push(numbers(self.own("gap").to_owned(), &self.gaps()));
         }
         if self.clocks.len() > 1 {
             let width = self.clocks.len() as u32;
             let mask = |clocks: &[usize]| clocks.iter().fold(0u64, |mask, &clock| mask | 1 << clock);
             let values = steps.iter().map(|step| Bits::new(width, mask(&step.rising))).collect();
-            columns.push(Column { name: "rising", width, values });
+            columns.push(Column { register: self.own("rising").to_owned(), width, values });
         }
         if !self.driven.is_empty() {
             let values = steps.iter().map(|step| {
@@ -131,13 +134,18 @@ impl<'a> Bench<'a> {
                 let resets = resets.map(Bits::from);
                 joined(resets.chain(step.inputs.iter().cloned()))
             });
-            columns.push(Column { name: "stimulus", width: Self::width(&self.driven), values: values.collect() });
+            let register = self.own("stimulus").to_owned();
+            columns.push(Column { register, width: Self::width(&self.driven), values: values.collect() });
         }
         if !self.outputs.is_empty() {
             let values = steps.iter().map(|step| joined(step.outputs.iter().cloned())).collect();
-            columns.push(Column { name: "expected", width: Self::width(&self.outputs), values });
+            columns.push(Column {
+                register: self.own("expected").to_owned(),
+                width: Self::width(&self.outputs),
+                values,
+            });
         }
-        Table::new(columns, steps.len())
+        columns
     }
 
     fn device(&self, top: &Module) -> Vec<String> {
@@ -148,20 +156,20 @@ impl<'a> Bench<'a> {
         out
     }
 
-    fn run(&self, special: &[String], table: &Table) -> Vec<String> {
+    fn run(&self, special: &[String], tables: &[Table]) -> Vec<String> {
         let (cycle, errors, steps) = (self.own("cycle"), self.own("errors"), self.recording.steps.len());
         let mut out = vec![String::new(), format!("initial begin : {}", self.own("run"))];
         let mut line = |indent: usize, text: String| out.push(format!("{}{text}", "    ".repeat(indent)));
         line(1, format!("{};", self.own("fill")));
         line(1, format!("{errors} = 0;"));
-        table.start(&self.own).into_iter().for_each(|text| line(1, text));
+        tables.iter().flat_map(Table::start).for_each(|text| line(1, text));
         (0..self.clocks.len()).for_each(|clock| line(1, self.level(clock, false)));
         if !special.is_empty() {
             line(1, "#1;".to_string());
         }
         special.iter().for_each(|assign| line(1, assign.clone()));
         line(1, format!("for ({cycle} = 0; {cycle} < {steps}; {cycle} = {cycle} + 1) begin"));
-        table.read(&self.own).into_iter().for_each(|text| line(2, text));
+        tables.iter().flat_map(|table| table.read(cycle)).for_each(|text| line(2, text));
         let (half, rest) = self.waits();
         let varies = self.period.is_none();
         if varies {
@@ -206,6 +214,14 @@ impl<'a> Bench<'a> {
         line(1, "end".to_string());
         line(1, "$finish;".to_string());
         out.push("end".to_string());
+        out
+    }
+
+    /// The task that fills the memories of all tables.
+    fn fill(&self, tables: &[Table]) -> Vec<String> {
+        let mut out = vec![String::new(), format!("task {};", self.own("fill")), "begin".to_string()];
+        out.extend(tables.iter().flat_map(Table::calls));
+        out.extend(["end".to_string(), "endtask".to_string()]);
         out
     }
 
