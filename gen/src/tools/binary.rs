@@ -1,7 +1,7 @@
 //! Programs that Verilator builds, to be run once: without optimisation, and with a runtime that is compiled once.
 //!
-//! Verilator's runtime takes longer to compile than a small design. Its objects are kept in the user's cache folder,
-//! by the versions of Verilator and of the compiler. A build that fails with them is repeated without them.
+//! Verilator's runtime takes longer to compile than a small design, and so do its headers. Its objects and a precompiled header are kept
+//! in the user's cache folder, by the versions of Verilator and of the compiler. A build that fails with them is repeated without them.
 
 use super::Problems;
 use super::run::{Verilator, line_of, problem, run_in, skipped_without};
@@ -15,6 +15,10 @@ const COMPILER: &str = "g++";
 const MAKE_FLAGS: &str = "VM_PARALLEL_BUILDS=0 OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0";
 /// The program in the folder of a build.
 const PROGRAM: &str = "build/program";
+
+/// What each program's C++ includes; the compiler takes `HEADER.gch` in its place where it can.
+const HEADER: &str = "runtime.h";
+const INCLUDED: &str = "#include \"verilated.h\"\n#include \"verilated_timing.h\"\n";
 
 /// Builds a program from the Verilog files of a folder, and returns its path; `None` if something is not installed.
 ///
@@ -60,7 +64,10 @@ pub fn verilated_by(
         let mut command = verilator.command().expect("it is installed");
         let overridden = runtime.map(|_| " VM_GLOBAL_FAST= VM_GLOBAL_SLOW=").unwrap_or_default();
         command.args(["--binary", "-j", "2", "--Mdir", "build", "-o", "program", "--top-module", top]);
-        command.args(flags).args(["-CFLAGS", "-O0", "-MAKEFLAGS", &format!("{MAKE_FLAGS}{overridden}")]);
+        let header = runtime.and_then(|objects| objects.first()).map(|object| object.with_file_name(HEADER));
+        let header = header.filter(|header| header.exists()).map(|header| format!(" -include {}", header.display()));
+        command.args(flags).args(["-CFLAGS", &format!("-O0{}", header.unwrap_or_default())]);
+        command.args(["-MAKEFLAGS", &format!("{MAKE_FLAGS}{overridden}")]);
         run_in(folder, command.args(sources).args(runtime.into_iter().flatten()))
     };
     let cache = cache(verilator);
@@ -74,7 +81,7 @@ pub fn verilated_by(
     }
     if let Some(cache) = cache {
         // Another build may do the same; without a cache, the next build takes longer.
-        let _ = keep_objects(&folder.join("build"), &cache);
+        let _ = keep_runtime(&folder.join("build"), top, &cache);
     }
     Ok(Some(folder.join(PROGRAM)))
 }
@@ -96,8 +103,8 @@ fn objects(folder: &Path) -> Option<Vec<PathBuf>> {
     Some(objects)
 }
 
-/// Copies the runtime's objects of a build to the cache, all or none.
-fn keep_objects(build: &Path, cache: &Path) -> std::io::Result<()> {
+/// Copies the runtime's objects of a build to the cache, and compiles the header there, all or none.
+fn keep_runtime(build: &Path, top: &str, cache: &Path) -> std::io::Result<()> {
     let parent = cache.parent().unwrap_or(cache);
     std::fs::create_dir_all(parent)?;
     let aside = tempfile::TempDir::with_prefix_in("runtime-", parent)?;
@@ -107,8 +114,20 @@ fn keep_objects(build: &Path, cache: &Path) -> std::io::Result<()> {
             std::fs::copy(&object, aside.path().join(name))?;
         }
     }
+    compile_header(build, top, &aside.path().join(HEADER))?;
     // If another build was faster, this folder is deleted.
     std::fs::rename(aside.path(), cache)?;
     let _ = aside.keep();
+    Ok(())
+}
+
+/// Compiles the header as a build's own makefile compiles its C++: the compiler takes it with the same options alone.
+fn compile_header(build: &Path, top: &str, header: &Path) -> std::io::Result<()> {
+    std::fs::write(header, INCLUDED)?;
+    let path = header.display();
+    let rule = "$(CXX) $(CXXFLAGS) $(CPPFLAGS) $(OPT_FAST) -x c++-header -c";
+    std::fs::write(build.join("header.mk"), format!("include V{top}.mk\nheader:\n\t{rule} -o {path}.gch {path}\n"))?;
+    // What is not compiled is included as it is.
+    let _ = Command::new("make").args(["-f", "header.mk", "header", "OPT_FAST=-O0"]).current_dir(build).output()?;
     Ok(())
 }
