@@ -1,6 +1,6 @@
 //! `tilewright wave`: a block's scenario as a waveform file, as text, or as a picture.
 
-use crate::against::AgainstOptions;
+use crate::against::{AgainstOptions, run_of_files};
 use crate::block::{BlockArguments, design, ports, simulation};
 use crate::engine::EngineArguments;
 use crate::first_difference;
@@ -24,6 +24,7 @@ use tilewright_sim::{Simulation, WaveRadix};
 
 /// Runs a block's scenario and shows it as a waveform, or compares two waveforms
 #[derive(Args)]
+#[command(mut_arg("block", |block| block.required(false).required_unless_present("diff")))]
 #[command(after_help = "\
 Examples:
   tilewright wave merging-unit
@@ -46,7 +47,8 @@ If -o ends in .svg, it is a picture of the ports' waves, light or dark like the 
 and signed values are decimal. Codes are always shown by name.
 
 --diff, as in `wave --diff before.vcd after.vcd`, matches signals by their names below a common top, so that a file of a testbench around a block can be compared with one of the block alone.
-It compares the time that both files have, and takes an unknown bit (x) for any other.
+It compares the time that both files have, and takes an unknown bit (x) for any other. With a block, as in `wave fifo --diff before.vcd after.vcd`, it takes the causes of the first
+difference from the block, as --against does. For that, one of the files has to be a waveform of the block's run.
 
 --against compares the run with another one of the same scenario, in all signals that both have, just before each edge of a clock. The other run is that of the printed Verilog in a simulator, of
 another engine, or of a waveform file, such as one that was written before an edit. Below the first difference stand the waves around it and the causes of the value at which
@@ -73,8 +75,8 @@ pub struct Wave {
     json: bool,
     #[command(flatten)]
     filters: TraceOptions,
-    /// Compare two waveforms in place of a run, VCD or FST files of any program, and show where they differ first
-    #[arg(long, value_names = ["A", "B"], num_args = 2, conflicts_with_all = ["BlockArguments", "output", "ascii", "radix", "engine", "scope", "memory", "from", "to", "verilog"])]
+    /// Compare two waveforms in place of a run, VCD or FST files of any program, and show where they differ first; with a block, also why
+    #[arg(long, value_names = ["A", "B"], num_args = 2, conflicts_with_all = ["against", "output", "ascii", "radix", "engine", "scope", "memory", "from", "to", "verilog"])]
     diff: Vec<PathBuf>,
     #[command(flatten)]
     against: AgainstOptions,
@@ -124,6 +126,9 @@ impl Wave {
     pub fn run(self) -> Result<Exit, Failure> {
         // Without a block there is a `--diff`.
         let Some(block) = &self.block else { return first_difference::run(&self.diff, self.json) };
+        if !self.diff.is_empty() {
+            return run_of_files(&self.diff, block, self.json);
+        }
         if self.against.is_asked() {
             return self.against.run(block, self.engine, self.json);
         }

@@ -1,6 +1,8 @@
-//! `tilewright wave --against`: a block's run is compared with another run of it, signal by signal and clock by clock.
+//! `tilewright wave --against`, and `wave BLOCK --diff`: a block's run is compared with another run of it, signal by signal and clock by
+//! clock.
 
 mod cone;
+mod files;
 mod other;
 mod report;
 mod run;
@@ -12,10 +14,14 @@ use crate::shell::{Exit, Failure, interrupt, progress};
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use cone::Cone;
+pub use files::run as run_of_files;
 use other::Other;
 use report::Compared;
-use run::Run;
+use run::{Instant, Run};
 use std::path::PathBuf;
+use tilewright_hdl::catalog::{Entry, Values};
+use tilewright_hdl::{Design, Scenario};
+use tilewright_sim::EngineKind;
 
 /// What a run is compared with.
 #[derive(Args)]
@@ -41,31 +47,57 @@ impl AgainstOptions {
     pub fn run(&self, block: &BlockArguments, engine: EngineArguments, json: bool) -> Result<Exit, Failure> {
         let Some(other) = &self.against else { return Ok(Exit::Done) };
         let edited = other.edited(&self.verilog)?;
-        let (entry, values) = block.find()?;
         other.check()?;
+        let ours = Ours::of(block, engine.kind())?;
+        let theirs = other.waves(&ours.design, &ours.scenario, &ours.run, &edited)?;
+        ours.compare(&theirs, other.is_simulator() && edited.is_empty(), None, json)
+    }
+}
+
+/// A block, and the run of its scenario.
+struct Ours {
+    entry: &'static Entry,
+    values: Values,
+    design: Design,
+    scenario: Scenario,
+    run: Run,
+}
+
+impl Ours {
+    fn of(block: &BlockArguments, engine: EngineKind) -> Result<Ours, Failure> {
+        let (entry, values) = block.find()?;
         // The flag is raised instead of the program being ended, so that temporary files are deleted.
         interrupt::flag();
         let (design, scenario) = (design(entry, &values)?, entry.scenario(&values)?);
-        let ours = Run::of(&design, &scenario, engine.kind(), "tilewright")?;
-        let theirs = other.waves(&design, &scenario, &ours, &edited)?;
+        let run = Run::of(&design, &scenario, engine, "tilewright")?;
+        Ok(Ours { entry, values, design, scenario, run })
+    }
+
+    /// Compares it with another run, and prints the first difference and its causes. `same` is a file that has the same run as ours.
+    fn compare(self, theirs: &Waves, is_printed: bool, same: Option<&str>, json: bool) -> Result<Exit, Failure> {
         progress::phase("comparing");
-        let files: [&Waves; 2] = [&ours.waves, &theirs];
-        let is_printed = other.is_simulator() && edited.is_empty();
-        let matched = checked(ours.comparable(matched(files), is_printed), files)?;
+        let files: [&Waves; 2] = [&self.run.waves, theirs];
+        let matched = checked(self.run.comparable(matched(files), is_printed), files)?;
         let both = Both::new(files, &matched.pairs);
-        let instants = ours.instants_of(&both);
+        let instants = self.run.instants_of(&both);
         if instants.is_empty() {
             return Err(no_time(files));
         }
-        let times: Vec<u64> = instants.iter().map(|instant| instant.until).collect();
-        let place = both.first_difference_before(&times);
-        let cone = place.map(|place| Cone::at(&design, &scenario, &both, &instants[place]));
-        let compared = Compared { entry, values: &values, both: &both, matched: &matched, instants: &instants, place };
+        let place = first_difference(&both, &instants);
+        let cone = place.map(|place| Cone::at(&self.design, &self.scenario, &both, &instants[place]));
+        let (entry, values) = (self.entry, &self.values);
+        let compared = Compared { entry, values, same, both: &both, matched: &matched, instants: &instants, place };
         compared.print(cone.transpose()?.as_ref(), json)?;
-        match (ours.failed, place) {
+        match (self.run.failed, place) {
             (Some(failed), _) => Err(failed),
             (None, Some(_)) => Ok(Exit::CheckFailed),
             (None, None) => Ok(Exit::Done),
         }
     }
+}
+
+/// The place of the first instant that differs.
+fn first_difference(both: &Both, instants: &[Instant]) -> Option<usize> {
+    let times: Vec<u64> = instants.iter().map(|instant| instant.until).collect();
+    both.first_difference_before(&times)
 }

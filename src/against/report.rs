@@ -15,6 +15,8 @@ use tilewright_hdl::catalog::{Entry, Values};
 pub struct Compared<'a> {
     pub entry: &'static Entry,
     pub values: &'a Values,
+    /// The file that has the same run as ours, if it is one of two files.
+    pub same: Option<&'a str>,
     pub both: &'a Both<'a>,
     pub matched: &'a Matched,
     /// The instants that were compared.
@@ -30,6 +32,9 @@ struct Report<'a> {
     parameters: BTreeMap<&'a str, u64>,
     /// The names of both runs.
     runs: [&'a str; 2],
+    /// The file that has the same run as the first of them, if it is one of two files.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    same: Option<&'a str>,
     /// The signals and the clocks that were compared.
     signals: usize,
     clocks: usize,
@@ -62,8 +67,9 @@ impl Compared<'_> {
             terminal::print_json(&self.report(first))
         } else {
             let names = self.both.files.map(|file| file.name.as_str());
-            let only = first_difference::only(names, self.matched);
-            terminal::print(&(only + &first.map_or_else(|| self.same(), |(instant, cone)| self.text(instant, cone))))
+            let same = self.same.map(|file| format!("tilewright has the same run of {} as {file}\n", self.entry.name));
+            let head = same.unwrap_or_default() + &first_difference::only(names, self.matched);
+            terminal::print(&(head + &first.map_or_else(|| self.same(), |(instant, cone)| self.text(instant, cone))))
         }
     }
 
@@ -80,6 +86,7 @@ impl Compared<'_> {
             block: self.entry.name,
             parameters: self.values.iter().collect(),
             runs: self.both.files.map(|file| file.name.as_str()),
+            same: self.same,
             signals: self.both.pairs.len(),
             clocks: self.instants.len(),
             only: &self.matched.only,

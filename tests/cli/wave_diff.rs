@@ -57,6 +57,40 @@ fn a_run_is_what_it_is_in_each_format_and_differs_from_another_run() {
 }
 
 #[test]
+fn causes_are_those_of_the_block_whose_run_is_one_of_the_files() {
+    let folder = Folder::new();
+    folder.stdout("wave fifo -o before.vcd");
+    folder.stdout("wave fifo --set depth=2 -o after.fst");
+    // Whichever file it is, and wherever it stands.
+    for (line, same, other, ours, theirs) in [
+        ("wave fifo --diff before.vcd after.fst", "before.vcd", "after.fst", 1, 0),
+        ("wave fifo --diff after.fst before.vcd", "before.vcd", "after.fst", 1, 0),
+        ("wave fifo --set depth=2 --diff before.vcd after.fst", "after.fst", "before.vcd", 0, 1),
+    ] {
+        let run = folder.run(line);
+        assert_eq!((run.code, run.stderr.as_str()), (Some(1), ""), "{line}: {run:?}");
+        let head = format!("tilewright has the same run of fifo as {same}\n");
+        let cause = format!(
+            "why it has its value in tilewright:\ninto_ready = {ours}  cycle 3  blocks/src/fifo.rs:101  ({theirs} in {other})\n"
+        );
+        assert!(run.stdout.starts_with(&head) && run.stdout.contains(&cause), "{line}: {run:?}");
+    }
+    let run = folder.run("wave fifo --diff before.vcd after.fst --json");
+    let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!((&report["same"], &report["runs"][1]), (&"before.vcd".into(), &"after.fst".into()));
+    assert_eq!(report["difference"]["cause"]["name"], "into_ready");
+    let same = folder.stdout("wave fifo --diff before.vcd before.vcd");
+    let (head, last) = ("tilewright has the same run of fifo as before.vcd\n", "no difference in ");
+    assert!(same.strip_prefix(head).is_some_and(|rest| rest.starts_with(last)), "{same}");
+    // The circuit of another size made neither of both files.
+    let run = folder.run("wave fifo --set depth=1 --diff before.vcd after.fst");
+    assert!(run.code == Some(2) && run.stdout.is_empty(), "{run:?}");
+    let sentence =
+        "neither before.vcd nor after.fst is the run of fifo with these parameters, so what causes their difference";
+    assert!(run.stderr.contains(sentence), "{run:?}");
+}
+
+#[test]
 fn files_that_cannot_be_compared_are_refused() {
     let folder = Folder::with(&[
         ("a.vcd", &counter(&["top"], "ns", 1, 6, "")),
@@ -84,7 +118,11 @@ fn files_that_cannot_be_compared_are_refused() {
             "error: a.vcd and other.vcd have no signal in common: name files of the same design",
         ),
         ("wave --diff a.vcd", "2 values required"),
-        ("wave merging-unit --diff a.vcd a.vcd", "cannot be used with"),
+        ("wave merging-unit --diff a.vcd a.vcd --against icarus", "cannot be used with"),
+        (
+            "wave merging-unit --diff a.vcd other.vcd",
+            "error: neither a.vcd nor other.vcd is the run of merging-unit with these parameters",
+        ),
         ("wave", "<BLOCK>"),
     ] {
         let run = folder.run(line);
