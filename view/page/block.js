@@ -8,6 +8,7 @@ const main = async () => {
     at("title").textContent = ABOUT.title;
     at("summary").textContent = ABOUT.summary;
     at("scenario").textContent = `The run: ${ABOUT.scenario}.${ABOUT.left_out ? " Its end is left out." : ""}`;
+    block.known = ABOUT.summary;
     at("circuit").append(block.element);
     connectKeys([...block.keys(), ["Escape", "Esc", "show all nets", () => block.choose(null)]]);
     await block.open(0);

@@ -7,7 +7,7 @@ const MOST_IN_WAVE = 40;
 class Circuit {
     /** `ask` gives the data of a unit by its number, and `heading` is the level of headings. */
     constructor(ask, heading) {
-        Object.assign(this, { ask, step: 0, chosen: null, data: null });
+        Object.assign(this, { ask, step: 0, chosen: null, data: null, known: "" });
         const title = text => make(heading, {}, text);
         const button = (className, label, text, act) => {
             const element = make("button", { className, "aria-label": label }, text);
@@ -77,7 +77,8 @@ class Circuit {
         const hints = [times.length > 1 ? "What changed at this clock is framed." : "", "Click a box to list its nets alone.",
             units.length > 0 ? "Click a unit to open it." : ""];
         this.hint.textContent = hints.filter(it => it).join(" ");
-        this.about.textContent = about;
+        // What the page says of its block stands in its head, and not here again.
+        this.about.textContent = this.known && about.startsWith(this.known) ? `The source is ${about.slice(this.known.length).replace(/[ ()]/g, "")}.` : about;
         this.waves.hidden = this.deck.hidden = times.length < 2;
         this.time.max = times.length - 1;
         [this.clock.min, this.clock.max] = [first, first + times.length - 1];

@@ -63,7 +63,7 @@ class Panel {
         this.painter = new Painter(film, this.canvas, this.over);
         this.stage.style.aspectRatio = `${width} / ${height}`;
         // Below the whole height of a window, so that the controls stay in it.
-        this.stage.style.maxWidth = `calc(max(18rem, 100vh - 17rem) * ${width / height})`;
+        this.stage.style.setProperty("--shape", width / height);
         this.stage.classList.add("has-picture");
         this.wait.hidden = true;
         this.verdict.replaceChildren(verdict);

@@ -42,6 +42,11 @@ fn the_page_steps_through_a_block() {
     tab.open(&served.address, 1280, "light");
     tab.until(IS_LOADED);
     assert_eq!((tab.text("h1"), tab.text("#scenario")), ("pair".to_owned(), "The run: two sums.".to_owned()));
+    // What the block does stands in the head alone.
+    assert_eq!(
+        (tab.text("#summary"), tab.text(".circuit > .hint")),
+        ("Adds.".to_owned(), "The source is src/pair.rs:3.".to_owned())
+    );
     assert_eq!((tab.value(NOW), tab.value(CHANGED)), (json!(["0", "0", "0"]), json!([])));
     tab.press("ArrowRight");
     tab.click("button.step");

@@ -24,6 +24,11 @@ fn the_page_plays_a_frame() {
     assert_eq!(tab.text("h1"), "columns, 32x24");
     assert_eq!(tab.text("figcaption"), "one\nidentical to the golden image");
 
+    // The whole picture, the buttons and the time are in the window at once.
+    let edges = "['.stage', '.deck', '#now'].map(it => document.querySelector(it).getBoundingClientRect())";
+    let fit = "(([stage, deck, now]) => stage.bottom <= deck.top && now.bottom <= innerHeight)";
+    assert_eq!(tab.value(&format!("{fit}({edges})")), true);
+
     // It begins with the finished picture.
     assert_eq!(tab.text("#now"), "clock 1,200 of 1,200, 30.000 µs");
     assert_eq!(colour(&mut tab, 3, 0), [24, 90, 250]);
