@@ -150,12 +150,12 @@ impl LfbSwap {
         pe.assume(i.draws.implies(draw), "no pixel is drawn between a swap and the last entry cleared");
         pe.assume(i.line.implies(ready), "the line is high only while this processing element releases it");
         pe.assume(i.done.implies(!clear), "`done` is low while the program clears the table");
+        pe.assume(
+            since.eq(self.sent_clocks).implies(is_sent),
+            "the merger sends the back buffer within T_m, the crossings and the overheads",
+        );
         pe.assert(swap.implies(shown_here.eq(parity)), "the global frame buffer has swapped for the previous frame");
         pe.assert(swap.implies(since.ge(self.merge_clocks)), "T_m has passed since the last swap");
-        pe.assert(
-            since.eq(self.sent_clocks).implies(is_sent),
-            "the back buffer is sent within T_m, the crossings and the overheads",
-        );
         def!(overflow_clocks = pe.reg(up_to(self.overflow_clocks)).reset(0));
         overflow_clocks.when(!overflow | *swap, 0).when(overflow_clocks.ne(self.overflow_clocks), overflow_clocks + 1);
         pe.assert(

@@ -22,6 +22,8 @@ struct HostModel {
     next: usize,
     /// Nothing is known about a pixel before it is written or the first frame is on display.
     bank: Vec<Option<u64>>,
+    /// The word that it read last, which stays until it reads another one.
+    last: Option<u64>,
 }
 
 /// A global frame buffer with a software chain, which merges the pixels that enter it with an image.
@@ -66,17 +68,27 @@ impl Bench {
         while !ends(self) {
             let access = model.accesses[model.next % model.accesses.len()];
             model.next += 1;
-            let Some((pixel, word)) = access else {
-                self.clock();
-                assert_eq!(self.sim.get_u64(self.sim.o.view.read_valid), 0);
-                continue;
-            };
-            let pixel = pixel % self.pixels();
-            let read = self.access(pixel, word);
-            assert_eq!(read.is_some(), word.is_none());
-            match word {
-                Some(_) => model.bank[pixel] = word,
-                None => assert!(model.bank[pixel].is_none_or(|word| read == Some(word)), "pixel {pixel}"),
+            match access {
+                Some((pixel, word)) => self.host_access(model, pixel % self.pixels(), word),
+                None => {
+                    self.clock();
+                    assert_eq!(self.sim.get_u64(self.sim.o.view.read_valid), 0);
+                }
+            }
+            let word = self.sim.get_u64(self.sim.o.view.read_word);
+            assert!(model.last.is_none_or(|last| word == last), "the word that was read last is {word:x}");
+        }
+    }
+
+    /// A clock in which the host writes this word, or reads.
+    fn host_access(&mut self, model: &mut HostModel, pixel: usize, word: Option<u64>) {
+        let read = self.access(pixel, word);
+        assert_eq!(read.is_some(), word.is_none());
+        match word {
+            Some(_) => model.bank[pixel] = word,
+            None => {
+                assert!(model.bank[pixel].is_none_or(|word| read == Some(word)), "pixel {pixel}");
+                model.last = read;
             }
         }
     }
@@ -391,7 +403,7 @@ proptest! {
     ) {
         let mut bench = Bench::new(unit(width, height, units, overhead), seed);
         let accesses = accesses.into_iter().map(|it| it.map(|(pixel, word)| (spread * pixel, word))).collect();
-        let mut model = HostModel { accesses, next: 0, bank: vec![None; bench.pixels()] };
+        let mut model = HostModel { accesses, next: 0, bank: vec![None; bench.pixels()], last: None };
         for image in &frames {
             let image = image[..bench.pixels()].to_vec();
             let end = bench.begin(std::slice::from_ref(&image));

@@ -128,7 +128,7 @@ proptest! {
         for (swaps, sent_after) in frames {
             let begun = clock;
             let all_swapped = begun + swaps.iter().max().unwrap();
-            // The frame is sent within T_m, as an assertion demands.
+            // The frame is sent within T_m, as an assumption demands.
             let all_sent = all_swapped + sent_after.min(merge_clocks);
             let mut advanced = 0;
             loop {
