@@ -118,6 +118,31 @@ fn steps_that_are_alike_have_one_row() {
     }
 }
 
+/// The gaps between steps change all the time, the rest once in 500 steps.
+#[test]
+fn what_stays_while_other_values_change_is_written_once() {
+    let block = Counter { width: 8, limit: 200 };
+    let design = elaborate(&block).expect("the block is sound");
+    let counting = |cycle: u64| {
+        let (count, counts) = (cycle / 500, cycle % 500 == 499);
+        let time_ps = 10_000 * (cycle + 1) + if cycle.is_multiple_of(2) { 0 } else { 500 };
+        Step { time_ps, ..step(cycle, false, &[(1, u64::from(counts))], &[(8, count), (1, 0)]) }
+    };
+    let mut recording = Recording { steps: (0..9000).map(counting).collect(), initial: Vec::new() };
+    let text = testbench(&design, &recording).text;
+    let sizes = ["gap_steps [0:8999];", "stimulus_steps [0:35];", "expected_steps [0:17];"];
+    sizes.iter().for_each(|size| assert!(text.contains(size), "no {size} in {}", &text[..3000]));
+    assert!(text.lines().all(|line| line.len() < 150) && text.lines().count() < 2000, "short rows share a line");
+    run(&block, &recording).unwrap();
+    recording.steps[6001].outputs[0] = Bits::new(8, 255);
+    match tools::replay_in_icarus(&verilog(&design), &testbench(&design, &recording)) {
+        Ok(checked) => assert_eq!(checked, tools::Checked::Skipped, "Icarus accepts a wrong expectation"),
+        Err(problems) => {
+            assert!(problems.to_string().contains("FAIL: cycle 6001: count is 0c, expected ff"), "{problems}")
+        }
+    }
+}
+
 /// The message for a recording of the counter that was changed so that it does not fit.
 fn refusal(change: impl FnOnce(&mut Recording)) -> String {
     let mut recording = counting();
