@@ -106,7 +106,7 @@ fn steps_that_are_alike_have_one_row() {
     };
     let mut recording = Recording { steps: (0..9000).map(counting).collect(), initial: Vec::new() };
     let text = testbench(&design, &recording).text;
-    assert_eq!(text.matches("\n            2'h").count(), 6000, "two rows for three steps");
+    assert_eq!(text.matches(", 9'h").count(), 6000, "two rows for three steps");
     assert!(text.contains("2'h2, 2'h0, 9'h") && text.matches(" put(").count() > 1, "{}", &text[..2000]);
     run(&Counter { width: 8, limit: 200 }, &recording).unwrap();
     recording.steps[6001].outputs[0] = Bits::new(8, 255);
@@ -125,14 +125,15 @@ fn what_stays_while_other_values_change_is_written_once() {
     let design = elaborate(&block).expect("the block is sound");
     let counting = |cycle: u64| {
         let (count, counts) = (cycle / 500, cycle % 500 == 499);
-        let time_ps = 10_000 * (cycle + 1) + if cycle.is_multiple_of(2) { 0 } else { 500 };
+        let time_ps = 10 * (cycle + 1) + cycle % 2;
         Step { time_ps, ..step(cycle, false, &[(1, u64::from(counts))], &[(8, count), (1, 0)]) }
     };
     let mut recording = Recording { steps: (0..9000).map(counting).collect(), initial: Vec::new() };
     let text = testbench(&design, &recording).text;
     let sizes = ["gap_steps [0:8999];", "stimulus_steps [0:35];", "expected_steps [0:17];"];
     sizes.iter().for_each(|size| assert!(text.contains(size), "no {size} in {}", &text[..3000]));
-    assert!(text.lines().all(|line| line.len() < 150) && text.lines().count() < 2000, "short rows share a line");
+    let gaps: Vec<&str> = text.lines().filter(|line| line.starts_with("            4'h")).collect();
+    assert!(gaps.len() < 1000 && gaps.iter().all(|line| line.len() < 150), "short rows share a line: {}", gaps.len());
     run(&block, &recording).unwrap();
     recording.steps[6001].outputs[0] = Bits::new(8, 255);
     match tools::replay_in_icarus(&verilog(&design), &testbench(&design, &recording)) {

@@ -143,7 +143,7 @@ impl BroadcastBus {
         m.assert((taken.taken & *open).implies(number.eq(*sender)), "no word comes between those of another packet");
         m.assert(m.past(takes).implies(open.eq(!word.last)), "a packet is open until its last word");
         def!(others = m.reg(up_to(senders).of(row(senders))).reset(0));
-        others.when(taken.taken, 0).when(offered.valid & takes & !open, others + 1);
+        others.when(!offered.valid | taken.taken, 0).when(offered.valid & takes & !open, others + 1);
         m.assert(others.le(processors), "a packet waits for at most one packet of each other sender");
 
         m.cover("a full queue stalls the bus", arrived & !room);
