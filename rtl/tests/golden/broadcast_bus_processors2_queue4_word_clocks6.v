@@ -86,7 +86,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
 
             always @(posedge clk) begin
                 if (rst) others <= 2'd0;
-                else if (sent_and) others <= 2'd0;
+                else if (!requests_listed | sent_and) others <= 2'd0;
                 else if (requests_listed & takes & !open) others <= others + 2'd1;
             end
             `ifndef SYNTHESIS

@@ -146,9 +146,9 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
         if (!pe_rst) assume (!draws | state_is_draw);                // rtl/src/swap/lfb_swap.rs:150
         if (!pe_rst) assume (!line | ready);                         // rtl/src/swap/lfb_swap.rs:151
         if (!pe_rst) assume (!done | (state != SWAP_STATE_CLEAR));   // rtl/src/swap/lfb_swap.rs:152
-        if (!pe_rst) assert (!swap | (shown_here == parity));        // rtl/src/swap/lfb_swap.rs:153
-        if (!pe_rst) assert (!swap | (since >= 6'd13));              // rtl/src/swap/lfb_swap.rs:154
-        if (!pe_rst) assert ((since != 6'd53) | is_sent);            // rtl/src/swap/lfb_swap.rs:155
+        if (!pe_rst) assume ((since != 6'd53) | is_sent);            // rtl/src/swap/lfb_swap.rs:153
+        if (!pe_rst) assert (!swap | (shown_here == parity));        // rtl/src/swap/lfb_swap.rs:157
+        if (!pe_rst) assert (!swap | (since >= 6'd13));              // rtl/src/swap/lfb_swap.rs:158
         if (!pe_rst) assert (overflow_clocks != 7'd119);             // rtl/src/swap/lfb_swap.rs:161
         if (!pe_rst) cover (frame_end);                              // rtl/src/swap/lfb_swap.rs:165
         if (!pe_rst) cover (state_is_overflow & swap);               // rtl/src/swap/lfb_swap.rs:166
@@ -190,16 +190,16 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: `done` is low while the program clears the table", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | (shown_here == parity))) begin      // rtl/src/swap/lfb_swap.rs:153
+        if (!pe_rst && !((since != 6'd53) | is_sent)) begin          // rtl/src/swap/lfb_swap.rs:153
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the merger sends the back buffer within T_m, the crossings and the overheads", $time);
+            stop;
+        end
+        if (!pe_rst && !(!swap | (shown_here == parity))) begin      // rtl/src/swap/lfb_swap.rs:157
             $display("FAIL: time %0t: %m: the global frame buffer has swapped for the previous frame", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | (since >= 6'd13))) begin            // rtl/src/swap/lfb_swap.rs:154
+        if (!pe_rst && !(!swap | (since >= 6'd13))) begin            // rtl/src/swap/lfb_swap.rs:158
             $display("FAIL: time %0t: %m: T_m has passed since the last swap", $time);
-            stop;
-        end
-        if (!pe_rst && !((since != 6'd53) | is_sent)) begin          // rtl/src/swap/lfb_swap.rs:155
-            $display("FAIL: time %0t: %m: the back buffer is sent within T_m, the crossings and the overheads", $time);
             stop;
         end
         if (!pe_rst && !(overflow_clocks != 7'd119)) begin           // rtl/src/swap/lfb_swap.rs:161
