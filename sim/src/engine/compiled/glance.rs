@@ -50,10 +50,10 @@ pub(super) struct Glance {
 #[derive(Default)]
 struct Whole {
     ids: Vec<ValueId>,
-    /// Their numbers when their places were noted, which constants have for good.
+    /// Their numbers, where they are, and which of them have changed: see [`Engine::renew`].
     seen: Vec<u64>,
-    /// Where they are: see [`Compiled::note`].
     note: Vec<u32>,
+    changed: Vec<u32>,
 }
 
 impl Compiled {
@@ -63,8 +63,10 @@ impl Compiled {
             Some(at) => at,
             None => self.make_glance(limbs),
         };
-        if let Some(whole) = self.glances[at].single.take() {
-            self.glances[at].single = Some(self.glance_at_whole(whole, numbers));
+        if let Some(mut whole) = self.glances[at].single.take() {
+            self.renew(&whole.ids, &mut whole.seen, &mut whole.note, &mut whole.changed);
+            numbers[..whole.seen.len()].copy_from_slice(&whole.seen);
+            self.glances[at].single = Some(whole);
             return true;
         }
         self.mark();
@@ -77,20 +79,6 @@ impl Compiled {
             *number = state[*limb as usize].get();
         }
         true
-    }
-
-    /// The numbers of values of one lane and one limb.
-    fn glance_at_whole(&mut self, mut whole: Whole, numbers: &mut [u64]) -> Whole {
-        let Whole { ids, seen, note } = &mut whole;
-        if note.first() == Some(&self.version) {
-            self.noted(note, seen, numbers);
-        } else {
-            seen.clear();
-            seen.extend(ids.iter().map(|id| self.number(*id, 0)));
-            numbers[..seen.len()].copy_from_slice(seen);
-            self.note(ids, note);
-        }
-        whole
     }
 
     /// Notes that something has changed.
@@ -109,7 +97,7 @@ impl Compiled {
         if limbs.iter().all(is_whole) {
             let ids: Vec<ValueId> = limbs.iter().map(|limb| limb.value).collect();
             self.show(&ids);
-            glance.single = Some(Whole { ids, ..Whole::default() });
+            glance.single = Some(Whole { seen: vec![0; ids.len()], ids, ..Whole::default() });
         } else if limbs.iter().any(|limb| self.program.circuit[limb.value].lanes > 1) {
             let places: Vec<Place> = limbs.iter().map(|limb| self.layout.place(1, limb.width)).collect();
             glance.limbs = places.iter().map(|place| (place.offset / 8) as u32).collect();

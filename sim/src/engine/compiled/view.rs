@@ -183,16 +183,6 @@ impl Compiled {
         changed.truncate(count);
     }
 
-    /// The numbers at noted places; those of constants are the `kept` ones.
-    pub(super) fn noted(&mut self, note: &[u32], kept: &[u64], numbers: &mut [u64]) {
-        let (views, places) = note[2..].split_at(note[1] as usize);
-        views.iter().for_each(|&view| self.refresh(view as usize));
-        let limbs = self.state.limbs();
-        for ((number, kept), &at) in numbers.iter_mut().zip(kept).zip(places) {
-            *number = limbs.get(at as usize).map_or(*kept, Cell::get);
-        }
-    }
-
     /// Many inputs may change between two edges, so this depends on no recent store.
     #[inline]
     pub(super) fn input_changed(&mut self, triggers: Triggers, is_held: bool) {
