@@ -162,6 +162,16 @@ impl Unit {
         self.step(cycle, primitive, does, values).on(format!("{}{net}", self.path))
     }
 
+    /// The step of an assertion that fails, or of what else ends a run.
+    pub fn fails(&self, cycle: u64, what: &str) -> Step {
+        self.step(cycle, None, "fails", vec![compared("assertion", what, "none fails")])
+    }
+
+    /// Whether it is the instance of that path.
+    pub fn is(&self, instance: &str) -> bool {
+        self.path.trim_end_matches('.') == instance
+    }
+
     /// A step with values that differ, unless there are none, or the unit has had several such steps.
     pub fn differing(&mut self, cycle: u64, does: &str, checks: &mut Checks) -> Option<Step> {
         if checks.0.is_empty() {

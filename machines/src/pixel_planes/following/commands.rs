@@ -15,17 +15,17 @@ use crate::told::Checks;
 
 /// The nets of a controller that are looked at, after its path.
 pub(super) static NETS: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let mut nets = INPUTS.map(str::to_owned).to_vec();
-    nets.splice(2..2, fields::<Instruction>("instructions", &clear(0)[0]));
-    nets.extend(SENT.map(str::to_owned));
+    let mut nets = HANDSHAKE.map(str::to_owned).to_vec();
+    nets.extend(fields::<Instruction>("instructions", &clear(0)[0]));
+    nets.extend(BESIDE.map(str::to_owned));
     nets.extend(fields::<Control>("control", &Control::ZERO));
     nets.push("idle".to_owned());
     nets
 });
-/// The handshake of instructions, behind which their fields stand, and other inputs.
-const INPUTS: [&str; 4] = ["instructions_valid", "instructions_ready", "side_by_side", "store_free"];
-/// What it sends to the tree.
-const SENT: [&str; 4] = ["coefficients_a", "coefficients_b", "coefficients_c", "first"];
+/// The handshake of instructions.
+const HANDSHAKE: [&str; 2] = ["instructions_valid", "instructions_ready"];
+/// Its other inputs, and what it sends to the tree.
+const BESIDE: [&str; 6] = ["side_by_side", "store_free", "coefficients_a", "coefficients_b", "coefficients_c", "first"];
 
 /// What it sends to the backing store, and for a quadratic tree.
 pub(super) const SAVES: [&str; 3] = ["save_claim", "save_region", "save_plane"];

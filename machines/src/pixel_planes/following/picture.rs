@@ -88,8 +88,7 @@ impl Pictured {
     /// The step of an error.
     pub fn fail(&mut self, clock: u64, error: &Error) {
         let sentence = violated(error).map_or_else(|| error.to_string(), |(_, sentence)| sentence.to_owned());
-        let values = vec![compared("assertion", sentence.as_str(), "none fails")];
-        self.told.tell(self.unit.step(clock, None, "fails", values));
+        self.told.tell(self.unit.fails(clock, &sentence));
     }
 }
 

@@ -9,7 +9,6 @@ use super::array::Place;
 use crate::error::Error;
 use crate::looks::Looks;
 use crate::told::{Checks, Told, Unit, compared, value, violated};
-use crate::way::Step;
 
 const CLOCK: (&str, u64) = ("network", 5000);
 /// The nets of a port; then those of the compositor of the pixel's chip; then those of the network's own ports.
@@ -178,10 +177,8 @@ impl NetworkObserver {
         let (instance, what) =
             violated(error).map_or((String::new(), error.to_string()), |(at, what)| (at.to_owned(), what.to_owned()));
         let units = self.ports.iter().flat_map(|port| &port.units);
-        let unit = units.into_iter().find(|unit| unit.path.trim_end_matches('.') == instance).unwrap_or(&self.unit);
-        let step: Step =
-            unit.step(self.from + tick, None, "fails", vec![compared("assertion", what.as_str(), "none fails")]);
-        self.told.tell(step);
+        let unit = units.into_iter().find(|unit| unit.is(&instance)).unwrap_or(&self.unit);
+        self.told.tell(unit.fails(self.from + tick, &what));
     }
 }
 

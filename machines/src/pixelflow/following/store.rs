@@ -149,8 +149,7 @@ impl Observer<FrameBufferIn, FrameBufferOut> for StoreObserver {
 
     fn fail(&mut self, error: &Error) {
         let Some((_, sentence)) = violated(error).filter(|_| !self.told.differs()) else { return };
-        let values = vec![compared("assertion", sentence, "none fails")];
-        self.told.tell(self.unit.step(self.tick / 2, None, "fails", values));
+        self.told.tell(self.unit.fails(self.tick / 2, sentence));
     }
 
     fn told(&mut self) -> &mut Told {

@@ -201,8 +201,7 @@ impl Observer<TextureUnitIn, TextureUnitOut> for TextureObserver {
     fn fail(&mut self, error: &Error) {
         let Some((instance, sentence)) = violated(error).filter(|_| !self.told.differs()) else { return };
         let unit = &self.units[usize::from(instance == "u_memory")];
-        let values = vec![compared("assertion", sentence, "none fails")];
-        self.told.tell(unit.step(self.tick / 2, None, "fails", values));
+        self.told.tell(unit.fails(self.tick / 2, sentence));
     }
 
     fn told(&mut self) -> &mut Told {

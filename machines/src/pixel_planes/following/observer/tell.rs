@@ -108,14 +108,12 @@ impl Observer<'_> {
         }
         let (unit, what) = match (violated(error), error) {
             (Some((instance, sentence)), _) => {
-                let unit = self.units.iter().position(|unit| unit.path.trim_end_matches('.') == instance);
+                let unit = self.units.iter().position(|unit| unit.is(instance));
                 (unit.unwrap_or(5), sentence.to_owned())
             }
             (None, Error::Differs { signal, seen, expected, .. }) => (5, format!("{signal} is {seen}, not {expected}")),
             _ => return,
         };
-        let values = vec![compared("assertion", what.as_str(), "none fails")];
-        let step = self.units[unit].step(clock, None, "fails", values);
-        self.told.tell(step);
+        self.told.tell(self.units[unit].fails(clock, &what));
     }
 }

@@ -164,7 +164,7 @@ impl ArrayObserver {
         let (unit, what) = match (violated(error), error) {
             (Some((instance, sentence)), _) => {
                 let mut units = self.units.iter().chain(self.banks.iter().map(|bank| &bank.unit));
-                let unit = units.find(|unit| unit.path.trim_end_matches('.') == instance);
+                let unit = units.find(|unit| unit.is(instance));
                 (unit.unwrap_or(&self.units[3]), sentence.to_owned())
             }
             (None, Error::Differs { signal, seen, expected, .. }) => {
@@ -172,7 +172,6 @@ impl ArrayObserver {
             }
             _ => return,
         };
-        let values = vec![compared("assertion", what.as_str(), "none fails")];
-        self.told.tell(unit.step(tick / 2, None, "fails", values));
+        self.told.tell(unit.fails(tick / 2, &what));
     }
 }
