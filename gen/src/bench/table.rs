@@ -17,7 +17,6 @@ const MOST_LINES: usize = 1000;
 const LINE: usize = 120;
 
 /// What each step has of one kind, such as the values of the inputs.
-#[derive(Clone)]
 pub struct Column {
     /// The register that has the value during the step.
     pub register: String,
@@ -35,6 +34,7 @@ pub struct Table {
 }
 
 /// What a table declares.
+#[derive(Default)]
 struct Names {
     /// The memory, its task, and the number of the next row.
     steps: String,
@@ -54,9 +54,9 @@ impl Names {
 
 /// All columns: in one table, or each in its own where they change so seldom, or at such different steps, that they take less than half
 /// of it.
-pub fn tables(columns: Vec<Column>, steps: usize, names: &mut verilog::Names) -> Vec<Table> {
-    let one = Table::new(columns.clone(), steps);
-    let each: Vec<Table> = columns.into_iter().map(|column| Table::new(vec![column], steps)).collect();
+pub fn tables(columns: &[Column], steps: usize, names: &mut verilog::Names) -> Vec<Table> {
+    let one = Table::new(columns, steps);
+    let each: Vec<Table> = columns.chunks(1).map(|column| Table::new(column, steps)).collect();
     let taken: u64 = each.iter().map(Table::bits).sum();
     if one.bits() <= MOST_BITS.into() || 2 * taken >= one.bits() {
         return vec![one.named("", names)];
@@ -70,22 +70,23 @@ pub fn tables(columns: Vec<Column>, steps: usize, names: &mut verilog::Names) ->
 
 impl Table {
     /// The table of columns that have a value for each of so many steps.
-    fn new(columns: Vec<Column>, steps: usize) -> Table {
-        let names = Names { steps: String::new(), put: String::new(), next: String::new(), times: String::new() };
+    fn new(columns: &[Column], steps: usize) -> Table {
         let same = |step: usize| step > 0 && columns.iter().all(|it| it.values[step] == it.values[step - 1]);
         let starts: Vec<usize> = (0..steps).filter(|step| !same(*step)).collect();
+        let of_rows = |column: &Column, rows: &[usize]| {
+            let values = rows.iter().map(|row| column.values[*row].clone()).collect();
+            Column { register: column.register.clone(), width: column.width, values }
+        };
         if columns.is_empty() || starts.len() > steps * 3 / 4 {
-            return Table { columns, rows: steps, merged: false, names };
+            let all: Vec<usize> = (0..steps).collect();
+            let columns = columns.iter().map(|column| of_rows(column, &all)).collect();
+            return Table { columns, rows: steps, merged: false, names: Names::default() };
         }
         let ends = starts.iter().skip(1).copied().chain([steps]);
         let times: Vec<u64> = starts.iter().zip(ends).map(|(start, end)| (end - start) as u64).collect();
         let times = numbers(String::new(), &times);
-        let of_rows = |column: Column| {
-            let values = starts.iter().map(|start| column.values[*start].clone()).collect();
-            Column { values, ..column }
-        };
-        let columns = [times].into_iter().chain(columns.into_iter().map(of_rows)).collect();
-        Table { columns, rows: starts.len(), merged: true, names }
+        let columns = [times].into_iter().chain(columns.iter().map(|column| of_rows(column, &starts))).collect();
+        Table { columns, rows: starts.len(), merged: true, names: Names::default() }
     }
 
     /// The table with names for what it declares.

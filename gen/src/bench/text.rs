@@ -25,7 +25,7 @@ pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
     let (bench, mut names) = Bench::new(design.top(), recording);
     let start = Start::new(design, bench.own("dut"), recording, &mut names);
     let inside = Inside::new(&mut names);
-    let tables = tables(bench.columns(), recording.steps.len(), &mut names);
+    let tables = tables(&bench.columns(), recording.steps.len(), &mut names);
     let mut body = bench.declarations(&tables);
     body.extend(bench.device(design.top()));
     body.extend(generate_start(&start, &mut names));

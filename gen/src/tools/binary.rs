@@ -60,17 +60,17 @@ pub fn verilated_by(
     if skipped_without(&[verilator.programs(), vec!["make", COMPILER]].concat()).is_some() {
         return Ok(None);
     }
+    let cache = cache(verilator);
     let build = |runtime: Option<&Vec<PathBuf>>| {
         let mut command = verilator.command().expect("it is installed");
         let overridden = runtime.map(|_| " VM_GLOBAL_FAST= VM_GLOBAL_SLOW=").unwrap_or_default();
         command.args(["--binary", "-j", "2", "--Mdir", "build", "-o", "program", "--top-module", top]);
-        let header = runtime.and_then(|objects| objects.first()).map(|object| object.with_file_name(HEADER));
-        let header = header.filter(|header| header.exists()).map(|header| format!(" -include {}", header.display()));
+        let header = runtime.and(cache.as_ref()).map(|cache| cache.join(HEADER)).filter(|header| header.exists());
+        let header = header.map(|header| format!(" -include {}", header.display()));
         command.args(flags).args(["-CFLAGS", &format!("-O0{}", header.unwrap_or_default())]);
         command.args(["-MAKEFLAGS", &format!("{MAKE_FLAGS}{overridden}")]);
         run_in(folder, command.args(sources).args(runtime.into_iter().flatten()))
     };
-    let cache = cache(verilator);
     let runtime = cache.as_deref().and_then(objects).filter(|objects| !objects.is_empty());
     if runtime.is_some() && build(runtime.as_ref()).0 {
         return Ok(Some(folder.join(PROGRAM)));
