@@ -1,7 +1,7 @@
 //! The block at a step of a pixel's way: its units, and the values of their nets around that clock.
 
 use super::nets::Net;
-use super::recorded::{Recorded, Shown, about, drawn, module_at, written};
+use super::recorded::{Recorded, Shown, drawn, module_at, source, written};
 use crate::block::entries;
 use crate::engine::EngineArguments;
 use crate::machine::{Machine, Run, Viewed, Visitor, signals_of, times_around, unit_and_name, visit};
@@ -109,7 +109,8 @@ fn alone(step: &Step, why: &str) -> Result<Moment, Failure> {
     };
     let shown = Shown {
         name: step.block.to_owned(),
-        about: about(top),
+        summary: top.about.summary.to_string(),
+        source: source(top),
         diagram: diagram.svg(),
         narrow: diagram.narrow_svg(),
         times: vec![step.time],

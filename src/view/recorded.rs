@@ -41,8 +41,10 @@ pub struct Link {
 #[derive(Serialize)]
 pub struct Shown {
     pub name: String,
-    /// What it is, and where it is described.
-    pub about: String,
+    /// What it is.
+    pub summary: String,
+    /// Where it is described: `FILE:LINE`.
+    pub source: String,
     pub diagram: String,
     /// The diagram for a narrow window.
     pub narrow: String,
@@ -97,7 +99,8 @@ impl Recorded {
         };
         Ok(Some(Shown {
             name: self.name(unit),
-            about: about(module),
+            summary: module.about.summary.to_string(),
+            source: source(module),
             diagram: drawn.svg(),
             narrow: drawn.narrow_svg(),
             times,
@@ -124,9 +127,9 @@ fn parent(unit: &Unit) -> Option<&[String]> {
     unit.path.split_last().map(|(_, outer)| outer)
 }
 
-/// What a module is, and where it is described.
-pub fn about(module: &Module) -> String {
-    format!("{} ({}:{})", module.about.summary, module.loc.file(), module.loc.line())
+/// Where a module is described.
+pub fn source(module: &Module) -> String {
+    format!("{}:{}", module.loc.file(), module.loc.line())
 }
 
 /// The diagram of a module of a design.

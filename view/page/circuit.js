@@ -71,14 +71,14 @@ class Circuit {
 
     /** Puts what the unit has in the page. */
     place() {
-        const { diagram, narrow, nets, units, times, about, first = 0 } = this.data;
+        const { diagram, narrow, nets, units, times, summary, source, first = 0 } = this.data;
         this.isNarrow = innerWidth < 700;
         this.diagram.place(this.isNarrow ? narrow : diagram, nets, units);
         const hints = [times.length > 1 ? "What changed at this clock is framed." : "", "Click a box to list its nets alone.",
             units.length > 0 ? "Click a unit to open it." : ""];
         this.hint.textContent = hints.filter(it => it).join(" ");
         // What the page says of its block stands in its head, and not here again.
-        this.about.textContent = this.known && about.startsWith(this.known) ? `The source is ${about.slice(this.known.length).replace(/[ ()]/g, "")}.` : about;
+        this.about.textContent = summary === this.known ? `The source is ${source}.` : `${summary} (${source})`;
         this.waves.hidden = this.deck.hidden = times.length < 2;
         this.time.max = times.length - 1;
         [this.clock.min, this.clock.max] = [first, first + times.length - 1];

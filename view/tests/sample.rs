@@ -68,7 +68,7 @@ pub fn unit(number: usize) -> Value {
     let link = |number: usize, name: &str| json!({ "number": number, "name": name });
     let halves = json!([link(1, "u_half[0]"), link(2, "u_half[1]")]);
     let mut data = json!({
-        "name": "pair", "about": "Adds. (src/pair.rs:3)", "diagram": diagram, "narrow": diagram, "first": 0, "step": null,
+        "name": "pair", "summary": "Adds.", "source": "src/pair.rs:3", "diagram": diagram, "narrow": diagram, "first": 0, "step": null,
         "times": [0, 10_000, 20_000, 30_000, 40_000],
         "nets": [
             { "name": "sum", "width": 8, "port": true, "asked": false, "source": "src/pair.rs:12", "changes": [[0, "0"], [2, "1f"], [3, "20"]] },
