@@ -75,7 +75,7 @@ pub struct Wave {
     json: bool,
     #[command(flatten)]
     filters: TraceOptions,
-    /// Compare two waveforms in place of a run, VCD or FST files of any program, and show where they differ first; with a block, also why
+    /// Compare two waveforms in place of a run: VCD or FST files of any program. Show where they differ first, and with a block also why
     #[arg(long, value_names = ["A", "B"], num_args = 2, conflicts_with_all = ["against", "output", "ascii", "radix", "engine", "scope", "memory", "from", "to", "verilog"])]
     diff: Vec<PathBuf>,
     #[command(flatten)]

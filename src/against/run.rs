@@ -57,9 +57,9 @@ impl Run {
         Ok(Run { waves, recording: recorder.take(), clocks: ports.collect(), period, failed })
     }
 
-    /// The same without what no run has to have: the levels of clocks, which a testbench chooses between their edges, the texts of
-    /// codes, whose numbers are compared, and the net that takes what printed Verilog does not use. If the other run is of Verilog as it
-    /// is printed, all nets that only it has are of the printer's making.
+    /// The same without what no run has to have. A testbench chooses the levels of clocks between their edges. Of codes the numbers are
+    /// compared, and not the texts. A net of printed Verilog takes what is not used. If the other run is of Verilog as it is printed, all
+    /// nets that only it has are of the printer's making.
     pub fn comparable(&self, mut matched: Matched, is_printed: bool) -> Matched {
         let is_clock = |path: &[String]| matches!(path, [_, port] if self.clocks.contains(port));
         let signals = self.waves.signals.iter().filter(|signal| is_clock(&signal.path));

@@ -4,8 +4,8 @@ use super::bounds::{Base, Extent, Surroundings};
 use super::program::Program;
 use super::text::Notes;
 
-/// A register of 64 bytes with padding before and behind it, one of 4 bits behind that, a memory of 32 bytes, a
-/// place with the address of one of 64, and a table of numbers up to 63.
+/// A register of 64 bytes with padding before and behind it, and one of 4 bits behind that. Then a memory of 32 bytes, a place with the
+/// address of one of 64, and a table of numbers up to 63.
 struct Memory;
 
 const ADDRESS: usize = 4096;
