@@ -1,5 +1,6 @@
 //! From a planned function to machine code.
 
+use tilewright_hdl::ir::Binary;
 use tilewright_hdl::top_mask;
 
 use super::function::{Function, Sink};
@@ -81,8 +82,8 @@ impl Addresses {
         for id in tables.iter().chain(own) {
             let cell = function.cell(*id);
             let place = *places[id.index()].get_or_insert_with(|| layout.place(cell.lanes, cell.width));
-            // An address that pieces of a function pass on.
-            if let Kind::Alias(of) = cell.kind
+            // An address that pieces of a function pass on, or the next one.
+            if let Kind::Alias(of) | Kind::Binary(Binary::Add, of, _) = cell.kind
                 && let Some(of) = places[of.index()]
             {
                 layout.same_address(place, of);

@@ -177,7 +177,7 @@ impl Jit {
             return Ok(Code { entry: nothing, stack: 0 });
         }
         if cfg!(debug_assertions)
-            && let Err(rule) = program.verify()
+            && let Err(rule) = program.check(memory)
         {
             panic!("a strip program breaks a rule: {rule}\n{}", program.text(&Notes::NONE));
         }

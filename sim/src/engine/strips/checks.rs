@@ -133,6 +133,8 @@ v4: i8 = load [v3 + 24]",
         "v0: i64 = load [state + 128]\nv1: i64 = add @0 v0\nv2: i8x16 = load_unaligned [v1 + 1]",
         "v0: i8x16 = load [state]\nv1: i8x16 = and v0 0x1f\nv2: i8 = lane 3 of i8x16 v1\nv3: i64 = zero_extend i8 v2
 v4: i64 = add @0 v3\nv5: i8 = load [v4]",
+        // Four bytes at once.
+        "v0: i32 = load [state + 160]\nv1: i32x4 = lowest i32 v0\nv2: i8x16 = cast i32x4 v1\nstore i8x16 [state + 160] v2",
         "v0: i64 = load [state + 136]\nv1: i64 = and argument 7\nv2: i64 = shl v1 3\nv3: i64 = add v0 v2
 v4: i64 = load [v3]",
         "loop v0: i64 = 48\n  v1: i64 = add state v0\n  v2: i8x16 = load [v1 + 64]\n  v3: i64 = add v0 -16

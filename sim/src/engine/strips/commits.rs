@@ -32,6 +32,10 @@ impl Touched {
     fn is_memory(&self) -> bool {
         matches!(self.base, Base::Known(_) | Base::Stored(_))
     }
+
+    fn is_in_allocation_of(&self, other: &Touched) -> bool {
+        (self.place, self.base) == (other.place, other.base)
+    }
 }
 
 /// A counter: what it is at first and at last, and how much is added each time.
@@ -171,7 +175,7 @@ impl Walk<'_> {
     /// Whether a load and a store may be of the same byte: in the same iteration if they have the same counters, or else
     /// in any ones.
     fn meet(&self, load: &Touched, store: &Touched) -> bool {
-        if (load.base, load.place) != (store.base, store.place) {
+        if !load.is_in_allocation_of(store) {
             return false;
         }
         let overlap = |a: &Touched, b: &Touched| a.first < b.end && b.first < a.end;
@@ -205,7 +209,8 @@ impl Walk<'_> {
                 if !access.extent.is_state || (touched.is_memory() && updates(access)) {
                     return Ok(());
                 }
-                if self.changed.iter().any(|store| self.meet(&touched, &self.seen(store))) {
+                let mut stores = self.changed.iter().filter(|store| store.is_in_allocation_of(&touched));
+                if stores.any(|store| self.meet(&touched, &self.seen(store))) {
                     return Err(format!("value {} is loaded after it was changed", value.0));
                 }
                 self.loaded.push((*value, touched));

@@ -51,8 +51,10 @@ impl Lanes {
                 Vector { width, element, form, parts, inverse: None }
             }
             // It is clean, but only a mask shows that a number stored in a place is within its width.
-            Shift::Right => Vector { form: Form::Bits(element), ..self.shifted_down(b, &value, by) },
-            Shift::RightSigned => {
+            _ if op == Shift::Right || value.form.bits(element) < element => {
+                Vector { form: Form::Bits(element), ..self.shifted_down(b, &value, by) }
+            }
+            Shift::Right | Shift::RightSigned => {
                 // Shifted without a sign, with negative numbers inverted before and after.
                 let signs = match element {
                     8 => {

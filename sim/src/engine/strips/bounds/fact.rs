@@ -11,7 +11,7 @@ pub(in crate::engine) enum Fact {
     Number(u64, u64),
     /// An address: where it begins, and at least and at most how many bytes further it is.
     Address(Base, i64, i64),
-    /// A vector in which only these bits may be 1.
+    /// A vector, or an integer, in which only these bits may be 1.
     Vector(u128),
 }
 
@@ -51,11 +51,15 @@ impl Fact {
 
     /// The least and the greatest number.
     pub fn range(self, ty: Type) -> (u64, u64) {
-        if let Number(least, most) = self { (least, most) } else { (0, ones(ty.element())) }
+        match self {
+            Number(least, most) => (least, most),
+            Vector(bits) if !ty.is_vector() => (0, bits as u64),
+            _ => (0, ones(ty.element())),
+        }
     }
 
     /// The bits of a vector that may be 1, or of a number.
-    fn bits(self, ty: Type) -> u128 {
+    pub fn bits(self, ty: Type) -> u128 {
         match self {
             Vector(bits) => bits,
             _ => smear(self.range(ty).1).into(),
@@ -75,12 +79,17 @@ impl Fact {
     /// What is known of numbers that are loaded, each at most `most` and of `integer` bits where they are.
     pub fn loaded(load: Load, ty: Type, integer: u32, most: u64) -> Fact {
         let stored = if load == Load::Whole { ty.element() } else { ty.element() / 2 };
-        let is_negative = load == Load::SignExtended && most >> (stored - 1) != 0;
-        match stored == integer && !is_negative {
-            true if ty.is_vector() => Vector(lanes(ty, |_| smear(most))),
-            true => Number(0, most.min(ones(stored))),
-            false if load == Load::ZeroExtended => Vector(lanes(ty, |_| ones(stored))),
-            false => Fact::any(ty),
+        let each = match integer {
+            _ if integer == stored => smear(most),
+            // Several bytes at once.
+            8 => (0..stored / 8).fold(0, |all, byte| all | smear(most) << (8 * byte)),
+            _ => ones(stored),
+        };
+        match load {
+            Load::SignExtended if each >> (stored - 1) != 0 => Fact::any(ty),
+            _ if ty.is_vector() => Vector(lanes(ty, |_| each)),
+            _ if integer == stored => Number(0, most.min(ones(stored))),
+            _ => Vector(each.into()),
         }
     }
 

@@ -13,7 +13,7 @@ use super::operation::{Binary, Comparison, Load, Operation, Unary};
 use super::program::{Loop, Program, Statement};
 use super::value::{Type, Value};
 pub(in crate::engine) use fact::Fact;
-use fact::{ones, smear};
+use fact::ones;
 
 /// Where an address begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -291,7 +291,7 @@ impl Walk<'_> {
                 Some(by) if by < 64 => self.bits(x) >> by,
                 _ => u64::MAX,
             },
-            _ => smear(self.range(value).1),
+            _ => self.of(value).bits(self.ty(value)) as u64,
         }
     }
 
