@@ -1,6 +1,6 @@
 //! Prints a circuit: as Verilog with a self-checking testbench, and as a block diagram.
 //!
-//! [`verilog`] prints a [`Design`](tilewright_hdl::ir::Design) as one file a module, in the Verilog-2001 subset that
+//! [`verilog`] prints a [`Design`](tilewright_circuit::ir::Design) as one file a module, in the Verilog-2001 subset that
 //! Verilator, Icarus and Yosys agree on. [`testbench`] replays a recorded run against those files. [`constraints()`]
 //! prints clocks and pins for a placer. [`tools`] runs the external programs that check these files. [`diagram()`] draws the boxes and arrows that a paper would show.
 //!
@@ -31,8 +31,6 @@
 mod bench;
 mod constraints;
 mod diagram;
-#[doc(hidden)]
-pub mod for_examples;
 pub mod tools;
 mod verilog;
 
@@ -47,7 +45,7 @@ pub use verilog::verilog;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let files = tilewright_gen::verilog(&design);
 /// assert_eq!(files[0].name, "delay.v");
 /// assert!(files[0].text.contains("held <= word;"));

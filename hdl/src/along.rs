@@ -3,14 +3,12 @@
 use crate::elaboration;
 use crate::index::Index;
 use crate::integers::{self, Integer};
-use crate::ir::{Kind, Op, Shape};
 use crate::limits::sound_width;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::operand::{IntoSignal, Operand};
-use crate::problem::Problem;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
+use tilewright_circuit::ir::{Kind, Op, Shape};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// The lanes of a row, or the rows or columns of a grid, as a sequence. Made by [`Signal::rows`] and
 /// [`Signal::columns`], and for records by [`Lanes::rows`](crate::Lanes::rows) and

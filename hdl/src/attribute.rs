@@ -4,14 +4,12 @@ use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::draft::Draft;
 use crate::elaboration;
-use crate::ir::Attribute;
-use crate::loc::Loc;
 use crate::memory::Mem;
-use crate::mistake::Mistake;
 use crate::names::illegal;
-use crate::problem::Problem;
 use crate::register::Reg;
 use crate::wire::is_here;
+use tilewright_circuit::ir::Attribute;
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 impl Reg {
     /// Sets a synthesis attribute of this register: `.attribute("keep", "true")` is Verilog's `(* keep = "true" *)`.

@@ -1,14 +1,14 @@
 //! Blocks: a plain struct of parameters, and a function from an input bundle to an output bundle.
 
 use crate::bundle::Bundle;
-use crate::ir::{About, Foreign};
-use crate::loc::Loc;
 use crate::module::Module;
 use crate::module_name::module_name;
 use crate::ranges::OutOfRange;
 use crate::width::Width;
 use std::fmt::Debug;
 use std::hash::Hash;
+use tilewright_circuit::Loc;
+use tilewright_circuit::ir::{About, Foreign};
 
 /// A hardware block. The struct holds its parameters; [`build`](Block::build) describes its circuit. Instances of one
 /// type with equal parameters share a module. The `Debug` text of the parameters goes into the module's name and into

@@ -1,13 +1,9 @@
 //! Clocks whose registers begin with values at power-on, in a design whose blocks name them with a reset.
 
-use crate::clock::Clock;
 use crate::draft::Draft;
 use crate::elaboration;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::module::Module;
-use crate::problem::Problem;
-use crate::reset::Reset;
+use tilewright_circuit::{Clock, Loc, Mistake, Problem, Reset};
 
 impl Module {
     /// From here on, `clock` is of the kind [`Reset::PowerOn`] in the whole design, also in blocks that name it with a

@@ -3,10 +3,8 @@
 use crate::codes::Codes;
 use crate::data::{Data, Fits, Given};
 use crate::elaboration;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
 use crate::signal::Signal;
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// A choice by code: [`Signal::choose`], without the name of the enum in each arm. The subject is a signal, a register
 /// or a state machine. Each arm is a signal, a number or a record; codes that share an arm are joined by `|`, and `_`

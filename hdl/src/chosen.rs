@@ -2,8 +2,8 @@
 
 use crate::codes::{add_is_code, has_spare_codes};
 use crate::draft::{Draft, DraftProperty};
-use crate::ir::{ClockId, Contents, Directive, Kind, NodeId, Op, Property};
 use std::collections::BTreeSet;
+use tilewright_circuit::ir::{ClockId, Contents, Directive, Kind, NodeId, Op, Property};
 
 /// Adds an assertion for each subject whose value is known from the first edge on and that has spare values.
 pub(crate) fn assert_codes(draft: &mut Draft) {

@@ -1,17 +1,15 @@
 //! Enums in hardware: values from a fixed list, which waves and Verilog show by name.
 
-use crate::bits::Bits;
 use crate::data::{Data, Fits};
 use crate::draft::Draft;
 use crate::elaboration;
-use crate::ir::{Binary, Kind, Names, Node, NodeId, Op, Relation};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
+use crate::names::bits_text;
 use crate::operand::{Literal, Operand, Value};
-use crate::problem::Problem;
 use crate::select::by_code;
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::width::{Width, bits};
+use tilewright_circuit::ir::{Binary, Kind, Names, Node, NodeId, Op, Relation};
+use tilewright_circuit::{Bits, Loc, Mistake, Problem};
 
 /// An enum whose variants are values of signals. [`codes!`](crate::codes!) implements it.
 ///

@@ -1,9 +1,9 @@
 //! Comparisons, which are signed if their operands are; and the message for `a == b`.
 
-use crate::ir::{Kind, Op, Relation};
 use crate::operand::Operand;
 use crate::shaping::level;
 use crate::signal::Signal;
+use tilewright_circuit::ir::{Kind, Op, Relation};
 
 /// Never implemented: `==` and `<` would need their result while the circuit is described.
 #[diagnostic::on_unimplemented(

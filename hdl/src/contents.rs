@@ -1,19 +1,17 @@
 //! The contents of memories at the start.
 
-use crate::bits::Bits;
 use crate::data::{Data, Fits, Layout, number_of_field};
 use crate::elaboration;
-use crate::ir::{Contents, NodeId, Op, ReadUnderWrite};
-use crate::loc::Loc;
 use crate::memory::Mem;
-use crate::mistake::Mistake;
 use crate::module::Module;
+use crate::names::bits_text;
 use crate::operand::Value;
-use crate::problem::Problem;
 use crate::record::sound_fields;
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::signed::READ_AS;
 use crate::width::Width;
+use tilewright_circuit::ir::{Contents, NodeId, Op, ReadUnderWrite};
+use tilewright_circuit::{Bits, Loc, Mistake, Problem};
 
 impl Module {
     /// A ROM with the contents `words`: numbers, or records of numbers.

@@ -1,22 +1,19 @@
 //! What signals and records have in common: widths declare them, and they are assigned values.
 
-use crate::bits::Bits;
 use crate::bundle::Bundle;
 use crate::elaboration;
 use crate::fields::{Fields, Leaf};
 use crate::integers::{Integer, for_integers};
-use crate::ir::{Kind, Names, NodeId};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
+use crate::names::bits_text;
 use crate::operand::{Literal, Operand, Value};
-use crate::problem::Problem;
-use crate::radix::Radix;
 use crate::register::Reg;
 use crate::shaping::IntoShape;
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::uneven::{Uneven, uneven};
 use crate::width::{IntoWidth, Width};
 use crate::wire::Wire;
+use tilewright_circuit::ir::{Kind, Names, NodeId};
+use tilewright_circuit::{Bits, Loc, Mistake, Problem, Radix};
 
 /// A value in the circuit: a [`Signal`], a record of signals made by [`bundle!`](crate::bundle!), or a list of
 /// either.

@@ -1,17 +1,15 @@
 //! A module under construction.
 
-use crate::bits::Bits;
-use crate::clock::{Clock, OwnClock};
+use crate::clock::OwnClock;
 use crate::enabled::{EnabledPart, PartId};
 use crate::in_place_of::{OwnPeriod, Renamed};
-use crate::ir::*;
-use crate::loc::Loc;
-use crate::module::port_name;
+use crate::names::port_name;
 use crate::port_names::{PortNames, named};
-use crate::reset::Reset;
 use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use tilewright_circuit::ir::*;
+use tilewright_circuit::{Bits, Clock, Loc, Reset};
 
 /// The declarations of a description so far. Parts that may still be missing are `Option`s here and plain in
 /// [`Module`].

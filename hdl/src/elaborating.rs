@@ -3,26 +3,25 @@
 use crate::block::Block;
 use crate::bundle::Bundle;
 use crate::check::{self, foreign};
-use crate::clock::{DefaultClock, OwnClock, Period};
+use crate::clock::OwnClock;
 use crate::draft::Draft;
 use crate::elaboration;
 use crate::enabled;
 use crate::fields::Fields;
 use crate::finish;
 use crate::in_place_of;
-use crate::ir::{Design, Input, ModuleId, Op};
 use crate::limits::{DEEPEST, check_period};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::module::{Module, declare, port_name};
+use crate::module::{Module, declare};
 use crate::names;
-use crate::problem::{Problem, Problems};
+use crate::names::port_name;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
 use crate::stream::{Origin, backwards, leave, untaken};
 use crate::width::Width;
 use std::any::Any;
 use std::rc::Rc;
+use tilewright_circuit::ir::{Design, Input, ModuleId, Op};
+use tilewright_circuit::{DefaultClock, Loc, Mistake, Period, Problem, Problems};
 
 /// The period of the default clock of [`elaborate`].
 ///

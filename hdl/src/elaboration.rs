@@ -4,17 +4,10 @@
 //! thread runs at most one elaboration; a guard clears the arena even when a description panics. Every handle carries
 //! the stamp of its elaboration and the number of its module, so a stale or foreign handle is a clear error.
 
-use crate::clock::{Clock, OwnClock};
+use crate::clock::OwnClock;
 use crate::draft::Draft;
-use crate::edge::Edge;
 use crate::in_place_of::OwnPeriod;
-use crate::ir::latency::Delay;
-use crate::ir::{Module, ModuleId, NodeId};
 use crate::limits::check_period;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::{Problem, Problems};
-use crate::reset::Reset;
 use crate::summary::Summary;
 use std::any::{Any, TypeId};
 use std::cell::{Cell, RefCell};
@@ -23,6 +16,9 @@ use std::hash::Hash;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU32, Ordering};
+use tilewright_circuit::ir::latency::Delay;
+use tilewright_circuit::ir::{Module, ModuleId, NodeId};
+use tilewright_circuit::{Clock, Edge, Loc, Mistake, Problem, Problems, Reset};
 
 /// The state of the design that is being elaborated on this thread.
 pub(crate) struct Elaboration {

@@ -2,15 +2,14 @@
 
 use crate::draft::Draft;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{About, ClockId, Input, Kind, NodeId, Op, Shape};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::module::{Module, port_name};
+use crate::module::Module;
+use crate::names::port_name;
 use crate::operand::IntoSignal;
-use crate::problem::Problem;
 use crate::select::condition;
 use crate::signal::Signal;
 use std::collections::BTreeSet;
+use tilewright_circuit::ir::{About, ClockId, Input, Kind, NodeId, Op, Shape};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 mod gates;
 
@@ -168,7 +167,7 @@ fn elsewhere(own: &str, other: &str, loc: Loc) -> Problem {
 }
 
 /// The parts and clocks of everything that is clocked.
-fn clocked(draft: &Draft, done: &[crate::ir::Module]) -> BTreeSet<(Option<PartId>, ClockId)> {
+fn clocked(draft: &Draft, done: &[tilewright_circuit::ir::Module]) -> BTreeSet<(Option<PartId>, ClockId)> {
     let mut clocked: BTreeSet<_> = draft.registers.iter().map(|register| (register.part, register.clock)).collect();
     clocked.extend(draft.properties.iter().map(|draft| (draft.part, draft.property.clock)));
     for memory in &draft.memories {

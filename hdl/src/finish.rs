@@ -7,15 +7,15 @@ use crate::draft::Draft;
 use crate::elaboration::{DependsOn, Elaboration};
 use crate::enabled;
 use crate::in_bounds;
-use crate::ir::*;
-use crate::loc::Loc;
 use crate::past;
 use crate::port_names;
-use crate::reset::Reset;
 use crate::signal::Signal;
 use crate::stream::DraftStream;
 use crate::summary;
 use crate::transparent;
+use tilewright_circuit::ir::*;
+use tilewright_circuit::loops;
+use tilewright_circuit::{Loc, Reset};
 
 /// Takes the innermost draft, checks it, and adds it to the finished modules. Even with problems, the added module is
 /// sound enough for checking its parents.
@@ -44,7 +44,7 @@ pub(crate) fn finish(
     port_names::check(&draft, &outputs, problems);
     check::unused::check(&draft, &outputs, problems);
     check::foreign::check(&draft, &e.done, &outputs, problems);
-    let sound = check::loops::check(&draft, &e.summaries, problems);
+    let sound = loops::check(&draft, &e.summaries, problems);
     let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);
     if sound {
         check::stages::check(&draft, &e.summaries, problems);

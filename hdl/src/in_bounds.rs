@@ -1,13 +1,12 @@
 //! Memories whose addresses never reach beyond the last word.
 
-use crate::bits::Bits;
 use crate::data::Data;
 use crate::draft::{Draft, DraftMemory, DraftProperty};
 use crate::elaboration;
 use crate::enabled::PartId;
-use crate::ir::{Binary, ClockId, Directive, Node, NodeId, Op, Property, Relation, Unary};
-use crate::loc::Loc;
 use crate::memory::Mem;
+use tilewright_circuit::ir::{Binary, ClockId, Directive, Node, NodeId, Op, Property, Relation, Unary};
+use tilewright_circuit::{Bits, Loc};
 
 impl<V: Data> Mem<V> {
     /// States that no access has an address beyond the last word. An assertion checks every port: of a port with an

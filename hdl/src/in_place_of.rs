@@ -1,13 +1,10 @@
 //! Clocks that run in place of others, for blocks whose own description names a clock.
 
-use crate::clock::{Clock, DefaultClock};
 use crate::draft::Draft;
 use crate::elaboration::{self, Elaboration};
 use crate::ir;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::module::Module;
-use crate::problem::Problem;
+use tilewright_circuit::{Clock, DefaultClock, Loc, Mistake, Problem};
 
 /// A named clock in whose place another one runs.
 #[derive(Clone, Copy)]

@@ -1,8 +1,8 @@
 //! Affine arithmetic on lane numbers, which says where each lane takes its value from.
 
 use crate::integers::{Integer, for_integers};
-use crate::ir::Affine;
 use std::ops::{Add, Div, Mul, Sub};
+use tilewright_circuit::ir::Affine;
 
 /// The number of a lane, for the arithmetic of [`Signal::take`](crate::Signal::take): `|i| i / 2`, `|i| 2 * i + 1`,
 /// `|i| n - 1 - i`. Quotients round towards minus infinity. A quotient cannot be multiplied.

@@ -6,16 +6,15 @@ use crate::clock::OwnClock;
 use crate::elaborating::{Elaborated, elaborate_module};
 use crate::elaboration::{self, Elaboration};
 use crate::fields::Fields;
-use crate::ir::{self, Instance, InstanceId, Kind, ModuleId, NodeId, Op, Shape};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::module::Module;
-use crate::problem::Problem;
+use crate::names::bits_text;
 use crate::shaping::{IntoShape, sound_shape};
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::signed::READ_AS;
 use crate::stream::{backwards, take};
 use crate::uneven::{Uneven, uneven};
+use tilewright_circuit::ir::{self, Instance, InstanceId, Kind, ModuleId, NodeId, Op, Shape};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 impl Module {
     /// Instantiates `block`. [`def!`](crate::def!) names the instance after the variable: `u_first`. Where the name is

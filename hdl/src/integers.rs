@@ -1,14 +1,14 @@
 //! Integers: their types, as left operands, and as factors.
 
 use crate::elaboration;
-use crate::ir::{Binary, Kind};
-use crate::mistake::Mistake;
 use crate::operand::{Literal, Operand, Value};
 use crate::register::Reg;
 use crate::signal::Signal;
 use crate::wire::Wire;
 use std::fmt::Display;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Mul, Sub};
+use tilewright_circuit::Mistake;
+use tilewright_circuit::ir::{Binary, Kind};
 
 /// A number known while the block is built: any of Rust's integer types but `u128`, or a `bool`, which is 0 or 1.
 ///

@@ -6,18 +6,17 @@ use crate::elaboration;
 use crate::fields::{Fields, Leaf};
 use crate::index::Index;
 use crate::integers::Integer;
-use crate::ir::{Kind, Op, Shape};
 use crate::limits::WIDEST;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
+use crate::names::bits_text;
 use crate::operand::{IntoSignal, Operand};
-use crate::problem::Problem;
 use crate::record::from_leaves;
 use crate::shaping::{level_all, sound_shape};
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::stream::{backwards, stack_ready};
 use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
+use tilewright_circuit::ir::{Kind, Op, Shape};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// Makes a row of signals, records of signals or streams, one in each lane; rows become the rows of a grid. All have
 /// the same shape and width.

@@ -61,9 +61,14 @@
 //! is checked for 64 clocks, and `example.values("count")` lists the values of `count` just before each of the first
 //! edges.
 
+#[doc(inline)]
+pub use tilewright_circuit::{
+    About, Bits, Clock, DefaultClock, Design, Edge, Foreign, Loc, Mistake, Period, Problem, Problems, Radix,
+    ReadUnderWrite, Recording, Reset, Shape, index_width, ir, limbs_for, recording, top_mask,
+};
+
 mod along;
 mod attribute;
-mod bits;
 mod block;
 mod bracket;
 mod bundle;
@@ -72,9 +77,8 @@ pub mod catalog;
 mod check;
 mod choose;
 mod chosen;
-mod circuit;
 mod clause;
-pub mod clock;
+mod clock;
 mod codes;
 mod compare;
 mod contents;
@@ -84,45 +88,38 @@ mod def;
 mod described;
 mod divide;
 mod draft;
-mod edge;
 mod elaborating;
 mod elaboration;
 mod enabled;
 mod fields;
 mod finish;
 mod foreign;
-mod graph;
 mod in_bounds;
 mod in_place_of;
 mod index;
 mod instance;
 mod integers;
-pub mod ir;
 mod lanes;
 mod limits;
-mod loc;
 mod low;
 mod machine;
 mod memory;
-mod mistake;
 mod module;
 mod module_name;
 mod moves;
 mod names;
+mod netlist;
 mod operand;
 mod pad;
 mod parts;
 mod past;
 mod port_names;
-mod problem;
 mod property;
 mod radix;
 mod ranges;
 mod record;
-pub mod recording;
 mod reduce;
 mod register;
-mod reset;
 pub mod scenario;
 mod select;
 mod shaping;
@@ -143,7 +140,6 @@ mod wire;
 mod within;
 
 pub use along::Along;
-pub use bits::{Bits, limbs_for, top_mask};
 pub use block::Block;
 pub use bundle::Bundle;
 #[doc(hidden)]
@@ -152,7 +148,6 @@ pub use bundle::join;
 pub use choose::ChosenArm;
 #[doc(hidden)]
 pub use clause::ClauseOfABlock;
-pub use clock::{Clock, DefaultClock, Period};
 pub use codes::{Codes, one_of};
 #[doc(hidden)]
 pub use data::Given;
@@ -161,18 +156,14 @@ pub use data::{Data, Fits, Layout};
 pub use declare::{AddTheBuildOfThisBlock, NoBuild, about, declared, list, sentence};
 #[doc(hidden)]
 pub use def::instance_name;
-pub use edge::Edge;
 pub use elaborating::{DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate_typed};
 pub use fields::{Fields, Leaf, Visited};
 pub use index::Index;
 pub use integers::Integer;
-pub use ir::{About, Design, Foreign, ReadUnderWrite, Shape};
 pub use lanes::{constants, interleave, stack};
-pub use loc::Loc;
 pub use low::Low;
 pub use machine::{StateReg, Transition, goto, hold, when};
 pub use memory::Mem;
-pub use mistake::Mistake;
 pub use module::Module;
 pub use moves::Moves;
 #[doc(hidden)]
@@ -181,17 +172,14 @@ pub use names::unraw;
 pub use operand::Value;
 pub use operand::{IntoSignal, Operand, ShiftAmount};
 pub use pad::{Outside, Pad, PadIn, PadOut};
-pub use problem::{Problem, Problems};
-pub use radix::{Radix, Written, binary, hex};
+pub use radix::{Written, binary, hex};
 #[doc(hidden)]
 pub use ranges::in_range;
 pub use ranges::{AnyOf, MultiplesOf, OutOfRange, PowersOfTwo, Values, any_of, multiples_of, powers_of_two};
 pub use record::{Lanes, Record, RecordUpdates};
 #[doc(hidden)]
 pub use record::{Numbers, Zero, named, pack, rules, unpack};
-pub use recording::Recording;
 pub use register::{Reg, Updates};
-pub use reset::Reset;
 pub use scenario::{Scenario, Script};
 pub use select::{case, concat, lit, mux, select};
 pub use shaping::{IntoShape, grid, row};
@@ -203,5 +191,5 @@ pub use stream::{Stream, StreamWire, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};
-pub use width::{IntoWidth, Width, below, bit, bits, index_width, up_to};
+pub use width::{IntoWidth, Width, below, bit, bits, up_to};
 pub use wire::Wire;

@@ -1,21 +1,11 @@
 //! Limits on the width of a signal, the size of a design, and the period of a clock.
 
-use crate::clock::Period;
 use crate::elaboration::{self, Elaboration};
 use crate::integers::{self, Integer};
-use crate::ir::NodeId;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
+use tilewright_circuit::ir::NodeId;
+use tilewright_circuit::{Loc, Mistake, Period, Problem};
 
-/// The widest signal, in bits.
-pub(crate) const WIDEST: u32 = 1 << 20;
-
-/// The deepest nesting of instances. A block that instantiates itself endlessly exceeds it.
-pub(crate) const DEEPEST: usize = 100;
-
-/// The most lanes in nested arrays.
-pub(crate) const MOST_LANES: u64 = 1 << 24;
+pub(crate) use tilewright_circuit::limits::{DEEPEST, MOST_LANES, WIDEST};
 
 /// The most ports in a list.
 pub(crate) const MOST_PORTS: u32 = 1 << 16;
@@ -25,15 +15,6 @@ const MOST_STAGES: u32 = 1 << 16;
 
 /// The longest period of a clock, in picoseconds: 18 minutes.
 pub(crate) const LONGEST_PERIOD: u64 = 1 << 50;
-
-/// The most lanes that are checked one by one for a combinational loop: some gibibytes, some seconds.
-pub(crate) const MOST_LOOPED_LANES: u64 = 1 << 26;
-
-/// The most 64-bit limbs of a value in all its lanes: half a gibibyte.
-pub(crate) const MOST_LIMBS: u64 = 1 << 26;
-
-/// The most 64-bit limbs of a memory in all its lanes: 32 gibibytes.
-pub(crate) const MOST_MEMORY_LIMBS: u64 = 1 << 32;
 
 /// A valid width for `what`. No bits, or more than [`WIDEST`], are a problem, and the nearest width stands in.
 /// `operands` are the nodes that it is made of.

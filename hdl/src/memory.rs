@@ -1,16 +1,14 @@
 //! Memories with any number of read and write ports, each on its own clock.
 
-use crate::clock::Clock;
 use crate::data::Data;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Kind, MemoryId, NodeId, Op, ReadPort, WritePort};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
+use crate::names::bits_text;
 use crate::operand::{IntoSignal, Operand, Value};
-use crate::problem::Problem;
 use crate::select::condition;
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::width::Width;
+use tilewright_circuit::ir::{Kind, MemoryId, NodeId, Op, ReadPort, WritePort};
+use tilewright_circuit::{Clock, Loc, Mistake, Problem};
 
 /// A memory of signals or of records, seen from one clock. Made by [`Module::memory`](crate::Module::memory).
 ///

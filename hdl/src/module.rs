@@ -1,27 +1,25 @@
 //! The module under construction, as a block's `build` sees it.
 
-use crate::clock::Clock;
 use crate::codes::{Codes, one_of};
 use crate::data::Layout;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, UNDRIVEN};
 use crate::elaboration::{self, Elaboration};
 use crate::fields::Fields;
 use crate::integers::Integer;
-use crate::ir::{Contents, Kind, Memory, NodeId, Op, ReadUnderWrite, RegisterId, Shape};
 use crate::limits::{WIDEST, sound_width};
-use crate::loc::Loc;
 use crate::machine::StateReg;
 use crate::memory::Mem;
-use crate::mistake::Mistake;
+use crate::names::port_name;
 use crate::operand::{IntoSignal, Operand};
-use crate::problem::Problem;
 use crate::record::{from_leaves, word};
 use crate::register::Reg;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
-use crate::width::{Width, index_width};
+use crate::width::Width;
 use crate::wire::Wire;
 use std::marker::PhantomData;
+use tilewright_circuit::ir::{Contents, Kind, Memory, NodeId, Op, ReadUnderWrite, RegisterId, Shape};
+use tilewright_circuit::{Clock, Loc, Mistake, Problem, index_width};
 
 /// The module under construction, with one of its clocks. Its methods declare registers, memories, instances and
 /// other objects; expressions are made by the operators of [`Signal`].
@@ -353,13 +351,4 @@ pub(crate) fn declare(e: &mut Elaboration, op: Op, (what, name): (&str, &str), w
     let node = draft.node_mut(id);
     (node.name, node.kind) = (Some(name), width.kind);
     id
-}
-
-/// The name of a port or register: the path of its fields joined by `_`.
-pub(crate) fn port_name(prefix: &str, path: &str) -> String {
-    match (prefix.is_empty(), path.is_empty()) {
-        (true, _) => path.replace('.', "_"),
-        (false, true) => prefix.to_owned(),
-        (false, false) => format!("{prefix}_{}", path.replace('.', "_")),
-    }
 }

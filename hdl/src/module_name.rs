@@ -227,8 +227,8 @@ mod tests {
     use std::marker::PhantomData;
 
     use super::*;
-    use crate::clock::{Clock, Period};
-    use crate::reset::Reset;
+    use tilewright_circuit::Reset;
+    use tilewright_circuit::{Clock, Period};
 
     fn named<B: std::fmt::Debug>(block: B) -> String {
         module_name(std::any::type_name::<B>(), &format!("{block:?}"))

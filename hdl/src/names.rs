@@ -1,39 +1,11 @@
-//! Names that are legal in Verilog and in waves.
+//! Names of modules, and of types and fields in Rust.
 
-use std::collections::{HashMap, HashSet};
-use std::sync::LazyLock;
+use std::collections::HashMap;
+use tilewright_circuit::{Mistake, Problem};
 
 use crate::check::{foreign, pads};
 use crate::elaboration::Elaboration;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
-
-/// The reserved words of Verilog (1364-2005) and SystemVerilog (1800-2017), and the package `std` that SystemVerilog
-/// always has.
-const RESERVED: &str = include_str!("reserved_words.txt");
-
-/// The words of C++ that Verilator refuses as the name of a port.
-const RESERVED_IN_CPP: &str = include_str!("reserved_cpp.txt");
-
-/// Whether `name` is a word of C++.
-pub(crate) fn is_reserved_in_cpp(name: &str) -> bool {
-    static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| RESERVED_IN_CPP.split_whitespace().collect());
-    WORDS.contains(name)
-}
-
-/// Whether `name` is a word of Verilog or SystemVerilog.
-pub(crate) fn is_reserved(name: &str) -> bool {
-    static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| RESERVED.split_whitespace().collect());
-    WORDS.contains(name)
-}
-
-/// Whether `name` is letters, digits and `_`, and does not start with a digit.
-pub(crate) fn is_legal(name: &str) -> bool {
-    let mut chars = name.chars();
-    chars.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
-        && chars.all(|c| c.is_ascii_alphanumeric() || c == '_')
-}
+pub(crate) use tilewright_circuit::names::{bits_text, illegal, is_legal, is_reserved, is_reserved_in_cpp, port_name};
 
 /// The identifier without the `r#` of a raw one.
 #[doc(hidden)]
@@ -92,25 +64,4 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
         problems.extend(pads::check(&e.done));
     }
     problems.into_iter().for_each(|problem| e.report(problem));
-}
-
-/// The problem of a name that Verilog does not take, if it is one.
-pub(crate) fn illegal(kind: &str, name: &str, loc: Loc) -> Option<Problem> {
-    let is_wrong = !is_legal(name) || is_reserved(name);
-    let problem = || Problem::new(Mistake::IllegalName, loc, format!("`{name}` cannot be the name of {kind}"));
-    let help = "a name consists of letters, digits and `_`, and is not a reserved word of Verilog";
-    is_wrong.then(|| problem().help(help))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn reserved_words_of_both_standards_are_known() {
-        for word in ["module", "table", "cell", "logic", "priority", "do", "std"] {
-            assert!(is_reserved(word), "{word}");
-        }
-        assert!(!is_reserved("patch"));
-    }
 }

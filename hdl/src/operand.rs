@@ -1,16 +1,13 @@
 //! Right operands: signals, registers, wires and integers.
 
-use crate::bits::Bits;
 use crate::draft::Draft;
 use crate::elaboration;
 use crate::integers::{Integer, for_integers};
-use crate::ir::{Names, NodeId, Shift};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
-use crate::radix::Radix;
-use crate::signal::{Signal, bits_text};
+use crate::names::bits_text;
+use crate::signal::Signal;
 use std::fmt;
+use tilewright_circuit::ir::{Names, NodeId, Shift};
+use tilewright_circuit::{Bits, Loc, Mistake, Problem, Radix};
 
 /// Anything that can be read as an unsigned value.
 ///
@@ -277,3 +274,9 @@ macro_rules! reads_as_signal {
 }
 
 pub(crate) use {binary_operators, operators, reads_as_signal};
+
+impl Operand for Bits {
+    fn operand(self) -> Value {
+        Value::Literal(Literal::Exact(self))
+    }
+}

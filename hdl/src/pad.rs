@@ -1,11 +1,11 @@
 //! Pads: pins of a chip that are driven from both sides.
 
 use crate::block::Block;
-use crate::loc::Loc;
 use crate::module::Module;
 use crate::select::{lit, mux};
 use crate::signal::Signal;
 use crate::width::{Width, bit, bits};
+use tilewright_circuit::Loc;
 
 crate::record! {
     /// What the outside of a pad does in simulation. It is an input of the top, such as `sda: Outside::widths(1)`. On

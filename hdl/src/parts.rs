@@ -2,14 +2,13 @@
 
 use crate::elaboration;
 use crate::integers::Integer;
-use crate::ir::{Kind, Op};
 use crate::limits::WIDEST;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
-use crate::signal::{Signal, bits_text};
+use crate::names::bits_text;
+use crate::signal::Signal;
 use crate::width::IntoWidth;
 use std::ops::Range;
+use tilewright_circuit::ir::{Kind, Op};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 impl Signal {
     /// Bit `index`, counted from the least significant.

@@ -1,13 +1,9 @@
 //! Past values, for properties.
 
-use crate::bits::Bits;
 use crate::draft::{Draft, DraftRegister};
 use crate::elaboration;
 use crate::enabled::PartId;
 use crate::fields::Fields;
-use crate::graph::{Edges, components, is_cyclic};
-use crate::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape, Unary};
-use crate::loc::Loc;
 use crate::module::Module;
 use crate::operand::IntoSignal;
 use crate::record::from_leaves;
@@ -16,6 +12,9 @@ use crate::signal::Signal;
 use crate::summary::{self, Summary};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::RangeFrom;
+use tilewright_circuit::graph::{Edges, components, is_cyclic};
+use tilewright_circuit::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape, Unary};
+use tilewright_circuit::{Bits, Loc};
 
 /// Past values are for properties: `m.assert(m.past(i.restart).implies(count.eq(0)), ..)`. A property that looks at a
 /// past value, directly or through nets and instances, is not checked until that value exists. It is not checked at

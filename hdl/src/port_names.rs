@@ -1,9 +1,8 @@
 //! Names of ports that the description gives, as a bus standard or a pin-out wants them.
 
 use crate::draft::Draft;
-use crate::ir::NodeId;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
+use tilewright_circuit::ir::NodeId;
+use tilewright_circuit::{Mistake, Problem};
 
 /// The names that a block gives to ports, by the names in its description.
 pub(crate) type PortNames = Vec<(&'static str, String)>;

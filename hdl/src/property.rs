@@ -2,14 +2,12 @@
 
 use crate::draft::{Draft, DraftProperty};
 use crate::elaboration;
-use crate::ir::{Directive, Piece, Property, Shown};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::operand::IntoSignal;
-use crate::problem::Problem;
 use crate::select::condition;
 use crate::signal::Signal;
+use tilewright_circuit::ir::{Directive, Piece, Property, Shown};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// Properties are checked at every edge of the module's clock while its reset is low, in every lane. A property that
 /// looks at a [past value](Module::past) waits until that value exists. A simulation checks properties. Verilog

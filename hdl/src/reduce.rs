@@ -1,9 +1,9 @@
 //! Reductions: one value of all elements along an axis.
 
 use crate::along::Along;
-use crate::bits::Bits;
-use crate::ir::{Kind, Op, Reduction};
 use crate::signal::Signal;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Kind, Op, Reduction};
 
 impl Along {
     #[track_caller]

@@ -1,17 +1,15 @@
 //! Registers.
 
-use crate::bits::Bits;
 use crate::compare::compared_as_signal;
 use crate::elaboration;
-use crate::ir::{Init, NodeId, Op};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
+use crate::names::bits_text;
 use crate::operand::{IntoSignal, Operand, Value, operators, reads_as_signal};
-use crate::problem::Problem;
 use crate::select::condition;
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::wire::{CHOOSE, is_here, report_second_driver};
 use std::ops::Deref;
+use tilewright_circuit::ir::{Init, NodeId, Op};
+use tilewright_circuit::{Bits, Loc, Mistake, Problem};
 
 /// A register of a signal or of a record. It reads as its present value; write `*count` where a bare signal is
 /// required. Call [`next`](Reg::next) exactly once, or use one chain of [`when`](Reg::when) instead.

@@ -1,17 +1,15 @@
 //! Scenarios: a block's inputs over time, as plain data that any simulator can play.
 
-use crate::bits::Bits;
 use crate::block::Block;
 use crate::bundle::Bundle;
-use crate::clock::Period;
 use crate::fields::{Fields, Leaf};
 use crate::integers::{Integer, not_negative};
-use crate::loc::Loc;
-use crate::module::port_name;
+use crate::names::port_name;
 use crate::port_names::{PortNames, named};
 use crate::stream::backwards;
 use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
+use tilewright_circuit::{Bits, Loc, Period};
 
 /// The inputs of a block over time. A reset comes first, at one edge of every clock. Inputs without an event are
 /// zero.

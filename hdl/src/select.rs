@@ -1,22 +1,19 @@
 //! Choices and concatenations: `mux`, `select`, `case`, `cat!`, literals.
 
-use crate::bits::Bits;
 use crate::data::{Data, Fits, Given};
 use crate::elaboration;
 use crate::fields::Fields;
 use crate::integers::Integer;
-use crate::ir::{Kind, Names, NodeId, Op, Shape};
 use crate::limits::sound_width;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
+use crate::names::bits_text;
 use crate::operand::{IntoSignal, Literal, Value};
-use crate::problem::Problem;
-use crate::radix::Radix;
 use crate::record::from_leaves;
 use crate::shaping::{level, level_all};
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::width::{IntoWidth, Width};
 use std::collections::{HashMap, HashSet};
+use tilewright_circuit::ir::{Kind, Names, NodeId, Op, Shape};
+use tilewright_circuit::{Bits, Loc, Mistake, Problem, Radix};
 
 /// A constant of this width: a number of bits, or the result of [`below`](crate::below) or [`up_to`](crate::up_to).
 /// It is signed if the width is.

@@ -2,12 +2,10 @@
 
 use crate::elaboration::{self, Elaboration};
 use crate::integers::{Integer, count};
-use crate::ir::{Op, Shape};
 use crate::limits::MOST_LANES;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
 use crate::signal::Signal;
+use tilewright_circuit::ir::{Op, Shape};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// A row of `lanes` lanes.
 ///

@@ -1,9 +1,9 @@
 //! Shifts, by a signal and by a constant.
 
-use crate::ir::{Op, Shift};
 use crate::operand::ShiftAmount;
 use crate::shaping::level;
 use crate::signal::Signal;
+use tilewright_circuit::ir::{Op, Shift};
 
 impl Signal {
     #[track_caller]

@@ -1,17 +1,17 @@
 //! Shorthands for combinations of other operations.
 
 use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
+use tilewright_circuit::Mistake;
 
 use crate::elaboration;
 use crate::integers::Integer;
-use crate::ir::{Binary, Op, Unary};
-use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::operand::{IntoSignal, Operand};
 use crate::select::{concat, condition};
 use crate::shaping::level;
 use crate::signal::Signal;
 use crate::width::{IntoWidth, bit};
+use tilewright_circuit::ir::{Binary, Op, Unary};
 
 macro_rules! assignments {
     ($($trait:ident $method:ident $op:tt)*) => {$(

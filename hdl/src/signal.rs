@@ -1,14 +1,11 @@
 //! Signals: handles to the expressions of a circuit, and their operations.
 
-use crate::bits::Bits;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::{Binary, Kind, Node, NodeId, Op, Shape, Unary};
 use crate::limits::sound_width;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::operand::{Operand, Value, operators};
-use crate::problem::Problem;
 use crate::shaping::level;
+use tilewright_circuit::ir::{Binary, Kind, Node, NodeId, Op, Shape, Unary};
+use tilewright_circuit::{Bits, Loc, Mistake, Problem};
 
 /// An unsigned value in the circuit, 1 to 1,048,576 bits wide. Its width is known while the circuit is built.
 ///
@@ -316,11 +313,6 @@ impl Signal {
     pub fn quasi_static(self, reason: &str) -> Signal {
         Signal::make(Op::QuasiStatic(self.id(), reason.to_owned()), self.width, self.shape).kept_as(self.kind)
     }
-}
-
-/// `1 bit`, `8 bits`.
-pub(crate) fn bits_text(width: u32) -> String {
-    if width == 1 { "1 bit".to_owned() } else { format!("{width} bits") }
 }
 
 impl Operand for Signal {

@@ -1,14 +1,12 @@
 //! Signed values: signals in two's complement, which do not mix with unsigned ones.
 
 use crate::elaboration;
-use crate::ir::{Binary, Kind, NodeId, Op, Shape};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
+use crate::names::bits_text;
 use crate::operand::Literal;
-use crate::problem::Problem;
-use crate::radix::Radix;
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::{Bits, Width};
+use tilewright_circuit::ir::{Binary, Kind, NodeId, Op, Shape};
+use tilewright_circuit::{Loc, Mistake, Problem, Radix};
 
 /// The conversions between the two kinds.
 pub(crate) const READ_AS: &str =

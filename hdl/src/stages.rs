@@ -1,22 +1,22 @@
 //! Pipelines of records: identical stages, each followed by a register for each field. Values of different stages do
 //! not mix, because they belong to different records.
 
-use crate::bits::Bits;
 use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::elaboration::draft;
 use crate::fields::Fields;
 use crate::integers::Integer;
-use crate::ir::{NodeId, Op};
 use crate::limits::sound_stages;
-use crate::loc::Loc;
-use crate::module::{Module, port_name};
+use crate::module::Module;
+use crate::names::port_name;
 use crate::record::from_leaves;
 use crate::register::Reg;
 use crate::select::condition;
 use crate::signal::Signal;
 use crate::width::Width;
 use std::collections::{BTreeMap, BTreeSet};
+use tilewright_circuit::ir::{NodeId, Op};
+use tilewright_circuit::{Bits, Loc};
 
 /// The input of a pipeline: a record, and the fields that a reset clears in each stage. A plain record is a start
 /// without cleared fields: see [`Module::stages`].

@@ -3,12 +3,12 @@
 use crate::data::Data;
 use crate::integers::Integer;
 use crate::limits::sound_stages;
-use crate::loc::Loc;
 use crate::module::Module;
 use crate::record::from_leaves;
 use crate::stages::Pipeline;
 use crate::stream::Stream;
 use crate::width::bit;
+use tilewright_circuit::Loc;
 
 impl Module {
     /// A pipeline of `count` stages between streams. Each stage applies `stage` to the payload of the previous one

@@ -2,10 +2,10 @@
 
 use crate::draft::Synchronizer;
 use crate::elaboration;
-use crate::loc::Loc;
 use crate::module::Module;
 use crate::select::condition;
 use crate::signal::Signal;
+use tilewright_circuit::Loc;
 
 impl Module {
     /// Brings a 1-bit `signal` of another clock into this one through two registers, `NAME_meta` and `NAME`, which a

@@ -1,10 +1,9 @@
 //! Memories whose reads give the word that is being written. A synchronous read of one is a register of what an
 //! asynchronous read gives, or of what is written there at the same edge. Synthesizers make a block RAM of both.
 
-use crate::bits::Bits;
 use crate::draft::{Draft, DraftRegister};
-use crate::ir::{Binary, MemoryId, NodeId, Op, ReadUnderWrite, RegisterId, Relation, Shape, WritePort};
-use crate::loc::Loc;
+use tilewright_circuit::ir::{Binary, MemoryId, NodeId, Op, ReadUnderWrite, RegisterId, Relation, Shape, WritePort};
+use tilewright_circuit::{Bits, Loc};
 
 /// Replaces the synchronous reads of all memories of this policy.
 pub(crate) fn apply(draft: &mut Draft) {

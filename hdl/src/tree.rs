@@ -2,13 +2,11 @@
 
 use crate::elaboration;
 use crate::fields::Fields;
-use crate::ir::Shape;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::module::Module;
-use crate::problem::Problem;
 use crate::record::from_leaves;
 use crate::signal::Signal;
+use tilewright_circuit::ir::Shape;
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// Combines all lanes of a row, or of a record of rows, by an associative function, such as the nearest of two.
 /// Neighbours are combined first, with the lower lane on the left. Combinational.

@@ -1,11 +1,11 @@
 //! The width of a port, as a bundle of widths declares it.
 
-use crate::clock::Clock;
 use crate::integers::{Integer, for_integers, not_negative};
-use crate::ir::{Kind, Shape};
-use crate::loc::Loc;
 use crate::shaping::IntoShape;
 use crate::signal::Signal;
+use tilewright_circuit::ir::{Kind, Shape};
+use tilewright_circuit::width_below;
+use tilewright_circuit::{Clock, Loc};
 
 /// The width of an input port, with the place of its declaration and, if it is not the block's own, the clock to
 /// which it is synchronous. In a block with several named clocks and none of its own, an input that a register or
@@ -194,26 +194,6 @@ macro_rules! widths {
     )*};
 }
 for_integers!(widths);
-
-/// The width of an index into `count` things, enough for every number below `count`; at least 1.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// const PAGE: u32 = index_width(12);
-/// assert_eq!(PAGE, 4);
-/// // One thing needs no index, but no signal has 0 bits.
-/// assert_eq!((index_width(1), index_width(2), index_width(3)), (1, 1, 2));
-/// ```
-pub const fn index_width(count: u64) -> u32 {
-    width_below(count as u128)
-}
-
-const fn width_below(count: u128) -> u32 {
-    match count {
-        0..=2 => 1,
-        _ => 128 - (count - 1).leading_zeros(),
-    }
-}
 
 #[cfg(test)]
 mod tests {

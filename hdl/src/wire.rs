@@ -2,13 +2,11 @@
 
 use crate::compare::compared_as_signal;
 use crate::elaboration;
-use crate::ir::NodeId;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::operand::{Operand, operators, reads_as_signal};
-use crate::problem::Problem;
 use crate::signal::Signal;
 use std::ops::Deref;
+use tilewright_circuit::ir::NodeId;
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// A net, or a record of nets, declared before its driver. It reads as its value; call [`drive`](Wire::drive) exactly
 /// once.

@@ -206,7 +206,8 @@ mod testbench;
 
 /// The value of a port, as [`Simulation::get`] returns it.
 #[doc(no_inline)]
-pub use tilewright_hdl::{Bits, Bundle};
+pub use tilewright_circuit::Bits;
+pub use tilewright_hdl::Bundle;
 
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};

@@ -15,8 +15,8 @@ pub use start::{Net, nets};
 
 use crate::VerilogFile;
 use crate::verilog::{Names, packed_width};
-use tilewright_hdl::ir::Design;
-use tilewright_hdl::{Bits, Recording};
+use tilewright_circuit::ir::Design;
+use tilewright_circuit::{Bits, Recording};
 
 /// Prints a testbench that replays a run: a module `TOP_tb` (`TOP_tb_2` if the design has a module `TOP_tb`), for
 /// both `iverilog -g2005` and `verilator --binary`. It prints `PASS: n cycles` and finishes, or it prints the first
@@ -27,7 +27,7 @@ use tilewright_hdl::{Bits, Recording};
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_hdl::recording::{Recording, Step};
 ///
 /// // As a simulation records it: 5 goes in, and comes out one clock later.

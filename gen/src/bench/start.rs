@@ -3,10 +3,10 @@
 
 use crate::verilog::{ModuleState, Names, ScopeState, State, pattern, states};
 use std::collections::BTreeMap;
-use tilewright_hdl::Bits;
-use tilewright_hdl::Recording;
-use tilewright_hdl::ir::{Design, Module, ModuleId, Shape};
-use tilewright_hdl::recording::Initial;
+use tilewright_circuit::Bits;
+use tilewright_circuit::Recording;
+use tilewright_circuit::ir::{Design, Module, ModuleId, Shape};
+use tilewright_circuit::recording::Initial;
 
 /// The start of all state in a design, by paths from the testbench.
 pub struct Start<'a> {
@@ -221,7 +221,7 @@ fn array_depth(design: &Design) -> usize {
 }
 
 fn deepest(module: &Module, depths: &[usize]) -> usize {
-    let below = |i: &tilewright_hdl::ir::Instance| depths[i.module.0 as usize] + i.shape.axes() as usize;
+    let below = |i: &tilewright_circuit::ir::Instance| depths[i.module.0 as usize] + i.shape.axes() as usize;
     let own = module.registers.iter().map(|register| module.shape(register.node));
     let own = own.chain(module.memories.iter().map(|memory| memory.shape)).map(|shape| shape.axes() as usize);
     module.instances.iter().map(below).chain(own).max().unwrap_or(0)
@@ -329,7 +329,7 @@ impl Found<'_, '_> {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let start = recording::Initial { path: "held".to_owned(), address: 0, words: vec![Bits::new(8, 7)] };
 /// let nets = tilewright_gen::nets(&design, &[start]);
 /// assert_eq!(nets[0], [tilewright_gen::Net { name: "held".to_owned(), low: 0 }]);
@@ -347,7 +347,7 @@ pub struct Net {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// assert!(tilewright_gen::nets(&design, &[]).is_empty());
 /// ```
 ///

@@ -5,9 +5,9 @@ use super::table::{Column, Inside, Table, numbers, tables};
 use crate::verilog::{Names, connect, packed_width, range, stop};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Design, Module};
-use tilewright_hdl::{Edge, Recording, Reset};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Design, Module};
+use tilewright_circuit::{Edge, Recording, Reset};
 
 /// Further mismatches are counted but not shown.
 const MOST_SHOWN: u32 = 10;

@@ -1,8 +1,8 @@
 //! What a design says about its chip: clocks with their periods, and ports.
 
 use crate::verilog::top_ports;
-use tilewright_hdl::Period;
-use tilewright_hdl::ir::{Design, Instance, Module};
+use tilewright_circuit::Period;
+use tilewright_circuit::ir::{Design, Instance, Module};
 
 /// The chip of a design.
 pub struct Chip {
@@ -41,7 +41,7 @@ pub enum Ratio {
 impl Chip {
     pub fn of(design: &Design) -> Chip {
         let top = design.top();
-        let clock = |clock: &tilewright_hdl::ir::Clock| ChipClock {
+        let clock = |clock: &tilewright_circuit::ir::Clock| ChipClock {
             net: clock.port.clone(),
             period: clock.period.expect("a clock of the top has a period"),
             made: clock.name.and_then(|name| made(design, top, name)),

@@ -7,7 +7,7 @@ mod text;
 use crate::VerilogFile;
 use chip::Chip;
 pub use pins::{PinProblem, PinProblems, Pins};
-use tilewright_hdl::ir::Design;
+use tilewright_circuit::ir::Design;
 
 /// The languages of constraints.
 ///
@@ -67,7 +67,7 @@ impl Dialect {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::{Dialect, Pins, constraints};
 ///
 /// let file = constraints(&design, Dialect::Lpf, &Pins::none()).unwrap();

@@ -3,7 +3,7 @@
 use super::items::{Items, What};
 use super::wires::Wire;
 use super::{Around, DiagramError};
-use tilewright_hdl::ir::{NodeId, Op};
+use tilewright_circuit::ir::{NodeId, Op};
 
 /// The item of a net. A net of logic becomes an item.
 pub(super) fn focus(items: &mut Items, around: &Around) -> Result<usize, DiagramError> {

@@ -5,7 +5,7 @@ use super::items::{Items, What};
 use super::model::{Arrow, ArrowKind, BoxKind, Diagram, DiagramBox, Frame};
 use super::wires::Wire;
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{ClockId, Contents, Memory, Shape};
+use tilewright_circuit::ir::{ClockId, Contents, Memory, Shape};
 
 /// The most lines of names in a box; the last one says how many more there are.
 const MOST_NAMES: usize = 6;

@@ -8,7 +8,7 @@ use std::fmt;
 /// # use tilewright_hdl::elaborate;
 /// use tilewright_gen::{Around, DiagramOptions, diagram};
 ///
-/// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let around = Around { net: "helt".to_owned(), steps: 1 };
 /// let error = diagram(&design, &DiagramOptions { around: Some(around), ..DiagramOptions::default() }).unwrap_err();
 /// assert_eq!(error.to_string(), "there is no net `helt`: did you mean `held`?");

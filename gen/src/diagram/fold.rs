@@ -3,7 +3,7 @@
 use super::items::{Items, What};
 use super::wires::Wire;
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::ClockId;
+use tilewright_circuit::ir::ClockId;
 
 /// How much of a design is shown, from everything to least.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -2,7 +2,7 @@
 
 use super::ports::Ports;
 use std::collections::BTreeMap;
-use tilewright_hdl::ir::{Design, Instance, InstanceId, MemoryId, Module, ModuleId, NodeId, RegisterId};
+use tilewright_circuit::ir::{Design, Instance, InstanceId, MemoryId, Module, ModuleId, NodeId, RegisterId};
 
 /// Something that a box can stand for, in a scope.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -22,7 +22,7 @@ pub use model::{Arrow, ArrowKind, BoxKind, Diagram, DiagramBox, Frame};
 use build::build;
 use fold::Detail;
 use items::Items;
-use tilewright_hdl::ir::Design;
+use tilewright_circuit::ir::Design;
 
 /// What to show of a design.
 ///
@@ -55,7 +55,7 @@ impl Default for DiagramOptions {
 /// # use tilewright_hdl::elaborate;
 /// use tilewright_gen::{Around, DiagramOptions, diagram};
 ///
-/// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let around = Around { net: "word".to_owned(), steps: 1 };
 /// let near = diagram(&design, &DiagramOptions { around: Some(around), ..DiagramOptions::default() }).unwrap();
 /// assert_eq!(near.boxes.len(), 2); // the port, and the register that takes it
@@ -93,7 +93,7 @@ const EASY_WITH_CONTROL: usize = 18;
 /// # use tilewright_hdl::elaborate;
 /// use tilewright_gen::{DiagramOptions, diagram};
 ///
-/// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let diagram = diagram(&design, &DiagramOptions::default()).unwrap();
 /// assert!(diagram.svg().starts_with("<svg "));
 /// ```
@@ -153,7 +153,7 @@ impl Diagram {
     /// # use tilewright_hdl::elaborate;
     /// use tilewright_gen::{DiagramOptions, diagram};
     ///
-    /// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
     /// let picture = diagram(&design, &DiagramOptions::default()).unwrap().svg();
     /// assert!(picture.contains(">held</text>"));
     /// ```
@@ -167,7 +167,7 @@ impl Diagram {
     /// # use tilewright_hdl::elaborate;
     /// use tilewright_gen::{DiagramOptions, diagram};
     ///
-    /// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
     /// let diagram = diagram(&design, &DiagramOptions::default()).unwrap();
     /// let width = |svg: String| svg.split("width=\"").nth(1)?.split('"').next()?.parse::<u32>().ok();
     /// assert!(width(diagram.narrow_svg()) < width(diagram.svg()));
@@ -182,7 +182,7 @@ impl Diagram {
     /// # use tilewright_hdl::elaborate;
     /// use tilewright_gen::{DiagramOptions, diagram};
     ///
-    /// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
     /// let graph = diagram(&design, &DiagramOptions::default()).unwrap().dot();
     /// assert!(graph.contains("b0 -> b1;"));
     /// ```
@@ -196,7 +196,7 @@ impl Diagram {
     /// # use tilewright_hdl::elaborate;
     /// use tilewright_gen::{DiagramOptions, diagram};
     ///
-    /// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
     /// let text = diagram(&design, &DiagramOptions::default()).unwrap().ascii();
     /// let expected = "\
     /// Delay

@@ -6,7 +6,7 @@
 /// # use tilewright_hdl::elaborate;
 /// use tilewright_gen::{DiagramOptions, diagram};
 ///
-/// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let diagram = diagram(&design, &DiagramOptions::default()).unwrap();
 /// let names: Vec<&str> = diagram.boxes.iter().map(|it| &*it.names[0]).collect();
 /// assert_eq!(names, ["word", "held", "late"]);
@@ -34,7 +34,7 @@ pub struct Diagram {
 /// # use tilewright_hdl::elaborate;
 /// use tilewright_gen::{BoxKind, DiagramOptions, diagram};
 ///
-/// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let kinds = diagram(&design, &DiagramOptions::default()).unwrap().boxes.into_iter().map(|it| it.kind);
 /// assert_eq!(kinds.collect::<Vec<_>>(), [BoxKind::Input, BoxKind::Register, BoxKind::Output]);
 /// ```
@@ -60,7 +60,7 @@ pub enum BoxKind {
 /// # use tilewright_hdl::elaborate;
 /// use tilewright_gen::{DiagramOptions, diagram};
 ///
-/// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let held = &diagram(&design, &DiagramOptions::default()).unwrap().boxes[1];
 /// assert_eq!((&held.names[..], &*held.note), (&["held".to_owned()][..], "8 bits"));
 /// ```
@@ -92,7 +92,7 @@ pub struct DiagramBox {
 /// # use tilewright_hdl::elaborate;
 /// use tilewright_gen::{ArrowKind, DiagramOptions, diagram};
 ///
-/// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let arrows = diagram(&design, &DiagramOptions::default()).unwrap().arrows;
 /// assert!(arrows.iter().all(|arrow| arrow.kind == ArrowKind::Data));
 /// ```
@@ -112,7 +112,7 @@ pub enum ArrowKind {
 /// # use tilewright_hdl::elaborate;
 /// use tilewright_gen::{DiagramOptions, diagram};
 ///
-/// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let arrow = &diagram(&design, &DiagramOptions::default()).unwrap().arrows[0];
 /// assert_eq!((arrow.from, arrow.to), (0, 1)); // from the port to the register
 /// ```
@@ -132,7 +132,7 @@ pub struct Arrow {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # use tilewright_gen::for_examples::{Delay, DelayIn};
+/// # use tilewright_sim::for_examples::{Delay, DelayIn};
 /// # block! {
 /// #     struct Pair;
 /// #     in PairIn { word: bits(8) }

@@ -1,7 +1,7 @@
 //! The ports of a module as a reader sees them: streams, records and lists in place of single signals.
 
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Module, NodeId};
+use tilewright_circuit::ir::{Module, NodeId};
 
 /// The part that a port has in its bundle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use super::items::{Items, What};
 use super::ports::Role;
 use std::collections::BTreeSet;
-use tilewright_hdl::ir::{Module, NodeId, Op};
+use tilewright_circuit::ir::{Module, NodeId, Op};
 
 /// A path from one item to another, through any amount of logic.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]

@@ -24,7 +24,7 @@ const INCLUDED: &str = "#include \"verilated.h\"\n#include \"verilated_timing.h\
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::verilated;
 ///
 /// if let Some(program) = verilated("build".as_ref(), &["delay_tb.v", "delay.v"], "delay_tb", &[]).unwrap() {

@@ -151,7 +151,7 @@ impl Simulator {
     /// ```
     /// # use tilewright_hdl::*;
     /// # use tilewright_hdl::recording::{Recording, Step};
-    /// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
     /// use tilewright_gen::tools::{DumpError, Simulator};
     /// # let at = |time_ps, word, late| Step {
     /// #     time_ps,

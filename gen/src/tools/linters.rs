@@ -69,7 +69,7 @@ static LINTERS: [Linter; 4] = [
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::lint;
 ///
 /// let linted = lint(&tilewright_gen::verilog(&design)).unwrap();
@@ -87,7 +87,7 @@ pub fn lint(files: &[VerilogFile]) -> Result<Linted, Problems> {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::{VerilogFile, tools::lint_all};
 ///
 /// let good = tilewright_gen::verilog(&design);
@@ -109,7 +109,7 @@ pub fn lint_all(designs: &[&[VerilogFile]]) -> Result<Linted, BTreeMap<usize, Pr
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::lint_quickly;
 ///
 /// let files = tilewright_gen::verilog(&design);

@@ -36,7 +36,7 @@ use std::fmt;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, skipped_without};
 ///
 /// // A user's own check, which needs two programs.
@@ -62,7 +62,7 @@ pub enum Checked {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::lint_quickly;
 ///
 /// let files = tilewright_gen::verilog(&design);
@@ -81,7 +81,7 @@ pub struct Linted {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let missing = tilewright_gen::tools::Missing { program: "yosys", remedy: "apt-get install yosys" };
 /// assert_eq!(missing.to_string(), "yosys is not installed: apt-get install yosys");
 /// ```
@@ -105,7 +105,7 @@ impl std::error::Error for Missing {}
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Problem, Problems};
 ///
 /// let problems = Problems(vec![Problem { tool: "iverilog".to_owned(), output: "delay.v:3: syntax error\n".to_owned() }]);
@@ -118,7 +118,7 @@ pub struct Problems(pub Vec<Problem>);
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::{VerilogFile, tools::lint_quickly};
 ///
 /// let broken = VerilogFile { name: "broken.v".to_owned(), text: "module broken (input wire a;\nendmodule\n".to_owned() };

@@ -34,7 +34,7 @@ type Version = Vec<u32>;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::Source;
 ///
 /// let verilog = tilewright_gen::verilog(&design);
@@ -59,7 +59,7 @@ pub struct Source<'a> {
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Compiler, Source};
 /// # fn source() -> Source<'static> { unimplemented!() }
 ///
@@ -146,7 +146,7 @@ impl Compiler {
     ///
     /// ```no_run
     /// # use tilewright_hdl::*;
-    /// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
     /// use tilewright_gen::tools::{Compiler, Source};
     ///
     /// let verilog = tilewright_gen::verilog(&design);
@@ -217,7 +217,7 @@ impl Model {
     ///
     /// ```no_run
     /// # use tilewright_hdl::*;
-    /// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
     /// use tilewright_gen::tools::{Compiler, Source};
     /// # fn source() -> Source<'static> { unimplemented!() }
     ///

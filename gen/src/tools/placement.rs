@@ -11,7 +11,7 @@ use std::process::Command;
 /// ```
 /// # use tilewright_hdl::*;
 /// # use tilewright_gen::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Device, place};
 ///
 /// let timing = constraints(&design, Dialect::Pcf, &Pins::none()).unwrap();
@@ -49,7 +49,7 @@ pub struct Frequency {
 /// ```
 /// # use tilewright_hdl::*;
 /// # use tilewright_gen::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Device, place};
 ///
 /// let timing = constraints(&design, Dialect::Pcf, &Pins::none()).unwrap();

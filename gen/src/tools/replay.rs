@@ -12,7 +12,7 @@ use std::process::Command;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, replay_in_icarus};
 /// # use tilewright_hdl::recording::{Recording, Step};
 /// # let at = |time_ps, word, late| Step {
@@ -53,7 +53,7 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, replay_in_verilator};
 /// # let recording = Recording::default();
 ///
@@ -100,7 +100,7 @@ fn verdict(tool: &str, succeeded: bool, output: String) -> Result<Checked, Probl
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, yosys_replay_vcd};
 ///
 /// let files = tilewright_gen::verilog(&design);

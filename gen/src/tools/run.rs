@@ -46,7 +46,7 @@ pub fn run_in(folder: &Path, command: &mut Command) -> (bool, String) {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let files = tilewright_gen::verilog(&design);
 /// assert_eq!(tilewright_gen::tools::sources(&files), ["delay.v"]);
 /// ```

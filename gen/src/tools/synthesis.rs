@@ -10,7 +10,7 @@ use std::process::Command;
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Target, cells};
 ///
 /// // A byte of registers, on two families whose flip-flops have different names.
@@ -48,7 +48,7 @@ impl Target {
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Target, cells};
 ///
 /// let files = tilewright_gen::verilog(&design);

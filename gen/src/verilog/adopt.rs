@@ -1,7 +1,7 @@
 //! Gives unnamed expressions the name of the wire or port that they drive, so that a value has one name.
 
 use super::order::map_operands;
-use tilewright_hdl::ir::{Module, NodeId, Op};
+use tilewright_circuit::ir::{Module, NodeId, Op};
 
 /// A named wire becomes the operator that drives it; then a port gives its name to its driver.
 pub fn adopt_names(module: &mut Module) {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::foreign::MODELS;
 use super::layout::range;
-use tilewright_hdl::ir::{Design, Instance, Module, NodeId, Op};
+use tilewright_circuit::ir::{Design, Instance, Module, NodeId, Op};
 
 /// What the ports of a module are with and without models.
 #[derive(Default)]

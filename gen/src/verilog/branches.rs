@@ -4,8 +4,8 @@ use super::literal::{Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
 use super::statement::{Statement, assign_always};
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{NodeId, Op, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{NodeId, Op, Unary};
 
 /// Above this number, conditions are not `else if`s of each other: parsers of some tools fail at a thousand or so,
 /// and Yosys takes time cubic in their number.

@@ -1,8 +1,8 @@
 //! Values of operators whose operands are constants.
 
 use std::cmp::Ordering;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, NodeId, Op, Relation, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, NodeId, Op, Relation, Unary};
 
 /// The operands of an operator that [`of`] can compute.
 pub fn operands(op: &Op) -> Option<Vec<NodeId>> {

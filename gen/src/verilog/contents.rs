@@ -3,8 +3,8 @@
 use super::literal::{Style, literal};
 use super::printer::Printer;
 use crate::VerilogFile;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, Memory, MemoryId, Module};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Contents, Memory, MemoryId, Module};
 
 /// Memories with more words are loaded from a file: Yosys takes time quadratic in the words of an `initial` block, a
 /// second at 1024 and minutes at 16,384.

@@ -6,8 +6,8 @@ use super::literal::{self, Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
 use super::reads::constant_address;
-use tilewright_hdl::ir::{Binary, Kind, Memory, MemoryId, NodeId, Op, Relation, Shift, Unary};
-use tilewright_hdl::{Bits, Radix};
+use tilewright_circuit::ir::{Binary, Kind, Memory, MemoryId, NodeId, Op, Relation, Shift, Unary};
+use tilewright_circuit::{Bits, Radix};
 
 impl Printer<'_> {
     /// The expression for a use of a node: its name if it has one.

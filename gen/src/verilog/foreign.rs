@@ -3,8 +3,8 @@
 use super::layout::{connect, with_place};
 use super::literal::{Style, literal};
 use super::text::{attribute, escaped, mark};
-use tilewright_hdl::Loc;
-use tilewright_hdl::ir::{Foreign, Module, Parameter};
+use tilewright_circuit::Loc;
+use tilewright_circuit::ir::{Foreign, Module, Parameter};
 
 /// The option with which simulators and linters take the models of foreign modules.
 ///
@@ -97,7 +97,7 @@ fn value(parameter: &Parameter) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tilewright_hdl::Bits;
+    use tilewright_circuit::Bits;
 
     #[test]
     fn values_of_parameters() {

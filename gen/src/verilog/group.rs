@@ -14,8 +14,8 @@ use super::printer::Printer;
 use super::scope::LANE;
 use super::statement::lines;
 use std::collections::BTreeSet;
-use tilewright_hdl::ir::{Affine, InstanceId, MemoryId, Node, NodeId, Op, Shape};
-use tilewright_hdl::{Bits, Loc};
+use tilewright_circuit::ir::{Affine, InstanceId, MemoryId, Node, NodeId, Op, Shape};
+use tilewright_circuit::{Bits, Loc};
 
 impl Printer<'_> {
     /// The groups, each after those that it reads.

@@ -7,7 +7,7 @@
 use super::order::{for_each_read, operands_first};
 use super::plan::{Form, Plan};
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Module, NodeId, Op, Shape};
+use tilewright_circuit::ir::{Module, NodeId, Op, Shape};
 
 /// A `generate for`.
 pub struct Group {

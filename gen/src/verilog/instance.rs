@@ -5,7 +5,7 @@ use super::foreign::{MODELS, instantiate};
 use super::layout::{range, with_place};
 use super::printer::Printer;
 use std::ops::Range;
-use tilewright_hdl::ir::{Instance, Module, NodeId};
+use tilewright_circuit::ir::{Instance, Module, NodeId};
 
 impl Printer<'_> {
     /// The nets for the outputs of plain instances.

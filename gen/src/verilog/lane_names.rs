@@ -4,7 +4,7 @@ use super::groups::{Group, Groups};
 use super::plan::{Form, Plan};
 use super::scope::{LANE, Names, Scope};
 use std::collections::BTreeMap;
-use tilewright_hdl::ir::{Design, Module, NodeId, Op, Shape};
+use tilewright_circuit::ir::{Design, Module, NodeId, Op, Shape};
 
 /// The names that the groups of a module need, and the loop variables of everything generated.
 pub struct GroupNames {

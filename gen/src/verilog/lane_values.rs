@@ -3,8 +3,8 @@
 use super::constant;
 use super::fold::lower::WIDEST_VECTOR;
 use super::pattern::Pattern;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Module, NodeId, Op, Shape, Shift};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Module, NodeId, Op, Shape, Shift};
 
 /// The longest chain of operators through which a lane is computed.
 const DEEPEST: u32 = 6;

@@ -1,6 +1,6 @@
 //! Small pieces of layout for all parts of a module.
 
-use tilewright_hdl::Loc;
+use tilewright_circuit::Loc;
 
 /// The column of a declaration's source place, if the declaration is shorter.
 const PLACE_COLUMN: usize = 60;

@@ -1,7 +1,7 @@
 //! Constants: in the radix of the description, otherwise decimal if the number counts, and hexadecimal if its bits
 //! are a pattern.
 
-use tilewright_hdl::{Bits, Radix};
+use tilewright_circuit::{Bits, Radix};
 
 /// The meaning of a constant where it is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,8 +8,8 @@ use super::literal::{Style, literal};
 use super::printer::Printer;
 use super::statement::Statement;
 use super::text::{attribute, mark};
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{ClockId, Memory, MemoryId, NodeId, Op, ReadUnderWrite};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{ClockId, Memory, MemoryId, NodeId, Op, ReadUnderWrite};
 
 impl Printer<'_> {
     /// The arrays without lanes, and the data registers of their synchronous ports.

@@ -48,7 +48,7 @@ use printer::Printer;
 pub use properties::{WITH_COVERS, stop};
 pub use scope::Names;
 pub use state::{ModuleState, ScopeState, State};
-use tilewright_hdl::ir::{Design, Module};
+use tilewright_circuit::ir::{Design, Module};
 
 /// Prints the design as Verilog: one file a module, each followed by the data files of its memories; the top is the
 /// last module.
@@ -61,7 +61,7 @@ use tilewright_hdl::ir::{Design, Module};
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+/// # let design = elaborate(&tilewright_sim::for_examples::Delay).unwrap();
 /// let files = tilewright_gen::verilog(&design);
 /// # let folder = std::env::temp_dir().join(format!("tilewright-{}", std::process::id()));
 /// # std::fs::create_dir_all(&folder).unwrap();

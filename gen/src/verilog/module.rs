@@ -9,7 +9,7 @@ use super::layout::{broken, prose, range, with_place, wrapped};
 use super::plan::Form;
 use super::printer::Printer;
 use super::text::{attribute, mark};
-use tilewright_hdl::ir::{Latency, Module, NodeId, Op, Register};
+use tilewright_circuit::ir::{Latency, Module, NodeId, Op, Register};
 
 /// The text of a folded module; `described` is the module before folding.
 pub fn print(printer: &mut Printer, described: &Module, latency: Option<&Latency>) -> String {

@@ -8,7 +8,7 @@ use super::plan::{Form, Plan};
 use super::reads::ReadNames;
 use super::scope::Names;
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Binary, Design, Directive, Module, NodeId, Op, Reduction, Relation, Unary};
+use tilewright_circuit::ir::{Binary, Design, Directive, Module, NodeId, Op, Reduction, Relation, Unary};
 
 /// The name of every node that is referred to by name.
 pub fn name_nodes(

@@ -9,7 +9,7 @@ use super::order::{for_each_read, operands_first};
 use super::plan::Form;
 use super::printer::Printer;
 use super::statement::lines;
-use tilewright_hdl::ir::{NodeId, Op};
+use tilewright_circuit::ir::{NodeId, Op};
 
 /// The text of the nets.
 #[derive(Default)]

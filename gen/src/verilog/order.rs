@@ -1,6 +1,6 @@
 //! Walks over a module's expressions without recursion: a description may chain a hundred thousand of them.
 
-use tilewright_hdl::ir::{Module, NodeId, Op};
+use tilewright_circuit::ir::{Module, NodeId, Op};
 
 /// Every node of the module, operands and addresses before the nodes that use them; otherwise in the order of
 /// creation.

@@ -2,8 +2,8 @@
 
 use super::names::combined;
 use super::states::screaming;
-use tilewright_hdl::ir::{Binary, Design, Kind, Module, NodeId, Op, Relation, Unary};
-use tilewright_hdl::{Bits, Radix};
+use tilewright_circuit::ir::{Binary, Design, Kind, Module, NodeId, Op, Relation, Unary};
+use tilewright_circuit::{Bits, Radix};
 
 /// A longer name is harder to read than what it stands for.
 const LONGEST: usize = 32;

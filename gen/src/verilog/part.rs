@@ -4,8 +4,8 @@
 use super::lane_values::{LaneConstants, lane_constants};
 use super::plan::Form;
 use super::printer::Printer;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Affine, NodeId, Op, Shape};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Affine, NodeId, Op, Shape};
 
 /// The lane along one axis at which the current text is printed.
 #[derive(Debug, Clone, PartialEq, Eq)]

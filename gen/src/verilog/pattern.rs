@@ -1,6 +1,6 @@
 //! Constants of an array's lanes that follow a rule: a formula of the lane's number is clearer than a table.
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 /// `first + step * ((lane / run) % period)`, which covers lane numbers, rows and columns of a grid, and multiples.
 #[derive(Debug, PartialEq, Eq)]

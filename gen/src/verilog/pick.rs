@@ -11,8 +11,8 @@ use super::literal::{Style, literal};
 use super::part::Index;
 use super::plan::Form;
 use super::printer::Printer;
-use tilewright_hdl::ir::{NodeId, Op};
-use tilewright_hdl::{Bits, index_width};
+use tilewright_circuit::ir::{NodeId, Op};
+use tilewright_circuit::{Bits, index_width};
 
 /// Larger arrays of nets are avoided: Yosys takes time quadratic in their number.
 const LONGEST_ARRAY: u32 = 256;

@@ -6,7 +6,7 @@ use super::border::Border;
 use super::foreign::MODELS;
 use super::layout::{prose, range};
 use super::printer::Printer;
-use tilewright_hdl::ir::{Design, Module};
+use tilewright_circuit::ir::{Design, Module};
 
 /// A port's documentation is after it if it ends at this column, otherwise above it.
 const COLUMNS: usize = 120;

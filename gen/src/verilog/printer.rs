@@ -12,7 +12,7 @@ use super::scope::Names;
 use super::stated::stated;
 use super::states::StateNames;
 use super::usage::Usage;
-use tilewright_hdl::ir::{Clock, ClockId, Design, Directive, Module, NodeId, Property};
+use tilewright_circuit::ir::{Clock, ClockId, Design, Directive, Module, NodeId, Property};
 
 /// A folded module during printing.
 pub struct Printer<'a> {

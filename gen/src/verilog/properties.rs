@@ -7,8 +7,8 @@ use super::literal::{Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
 use super::text::format_text;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{ClockId, Directive, Format, Kind, Names, NodeId, Op, Piece, Property, Shown, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{ClockId, Directive, Format, Kind, Names, NodeId, Op, Piece, Property, Shown, Unary};
 
 /// The option with which a simulator compiles that covers are printed.
 ///

@@ -1,7 +1,7 @@
 //! Read ports of memories: their names, and whether their address can exceed the depth.
 
 use super::scope::Names;
-use tilewright_hdl::ir::{Memory, Module, NodeId, Op};
+use tilewright_circuit::ir::{Memory, Module, NodeId, Op};
 
 /// The names of a synchronous read port.
 #[derive(Debug, Clone)]

@@ -5,7 +5,7 @@ use super::layout::{generate, range, with_place};
 use super::part::Index;
 use super::plan::Form;
 use super::printer::Printer;
-use tilewright_hdl::ir::{NodeId, Op, Reduction};
+use tilewright_circuit::ir::{NodeId, Op, Reduction};
 
 impl Printer<'_> {
     /// Combines all lanes of a value; `target` is the net that takes it.

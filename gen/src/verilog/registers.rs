@@ -7,8 +7,8 @@ use super::literal::Style;
 use super::plan::Form;
 use super::printer::Printer;
 use super::statement::{Statement, lines, merged};
-use tilewright_hdl::ir::{ClockId, NodeId, Op, Register};
-use tilewright_hdl::{Bits, Edge, Reset};
+use tilewright_circuit::ir::{ClockId, NodeId, Op, Register};
+use tilewright_circuit::{Bits, Edge, Reset};
 
 /// The common properties of the registers of one always block.
 #[derive(Clone, Copy)]

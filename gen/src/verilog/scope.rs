@@ -3,7 +3,7 @@
 
 use super::border::port_of_pad;
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Design, Module, Shape};
+use tilewright_circuit::ir::{Design, Module, Shape};
 
 /// The name of the instance in each lane of an array, unless it is taken.
 pub const LANE: &str = "lane";

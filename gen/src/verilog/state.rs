@@ -1,8 +1,8 @@
 //! The state of a module, by the names in the printed text: for testbenches, which set it.
 
 use super::printer::Printer;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, Init, InstanceId, Memory, Module, Shape};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Contents, Init, InstanceId, Memory, Module, Shape};
 
 /// A testbench's view of a module.
 pub struct ModuleState {

@@ -1,7 +1,7 @@
 //! The registers that only properties read, such as those of past values: synthesizers need not see them.
 
 use super::plan::Plan;
-use tilewright_hdl::ir::{Module, NodeId, Op, Property};
+use tilewright_circuit::ir::{Module, NodeId, Op, Property};
 
 /// For each register, whether it belongs to the properties: nothing printed elsewhere reads it.
 pub fn stated(module: &Module, plan: &Plan, resets: &[Option<NodeId>]) -> Vec<bool> {

@@ -5,8 +5,8 @@ use super::layout::{range, wrapped};
 use super::literal::{Style, literal};
 use super::scope;
 use std::collections::BTreeSet;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Kind, Module, Names, NodeId};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Kind, Module, Names, NodeId};
 
 /// The enums of a module, and the nodes whose values are codes.
 pub struct StateNames {

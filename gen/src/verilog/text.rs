@@ -1,6 +1,6 @@
 //! Texts within Verilog: in strings, and in attributes.
 
-use tilewright_hdl::ir::Attribute;
+use tilewright_circuit::ir::Attribute;
 
 /// A text within a string.
 pub fn escaped(text: &str) -> String {

@@ -1,7 +1,7 @@
 //! The bits that the text reads; all others are tied into `_unused_ok`, so that no linter warns.
 
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::NodeId;
+use tilewright_circuit::ir::NodeId;
 
 /// The reads so far.
 #[derive(Clone)]

@@ -1,12 +1,12 @@
 //! An entry of the catalogue: a block, its parameters and its scenario.
 
 use std::collections::BTreeMap;
+use tilewright_circuit::Reset;
 
 use super::CatalogError;
 use crate::elaboration;
-use crate::ir::Design;
-use crate::reset::Reset;
 use crate::scenario::Scenario;
+use tilewright_circuit::ir::Design;
 
 /// A block of the catalogue.
 ///

@@ -1,8 +1,8 @@
 //! Errors of the catalogue.
 
 use std::fmt;
+use tilewright_circuit::Problems;
 
-use crate::problem::Problems;
 use crate::ranges::OutOfRange;
 
 /// Why an entry is not available.

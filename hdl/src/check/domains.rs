@@ -1,13 +1,12 @@
 //! Paths from one clock domain to another that bypass every declared crossing.
 
 use crate::draft::Draft;
-use crate::graph::Sets;
-use crate::ir::{ClockId, Module, NodeId};
-use crate::mistake::Mistake;
-use crate::module::port_name;
-use crate::problem::Problem;
+use crate::names::port_name;
 use crate::summary::{self, Summary, View};
 use std::collections::BTreeSet;
+use tilewright_circuit::graph::Sets;
+use tilewright_circuit::ir::{ClockId, Module, NodeId};
+use tilewright_circuit::{Mistake, Problem};
 
 /// Returns the outputs that mix clocks.
 pub(crate) fn check(

@@ -1,11 +1,9 @@
 //! Registers and wires without a driver; the others get their drivers.
 
-use crate::bits::Bits;
 use crate::draft::{Draft, UNDRIVEN};
-use crate::ir::{NodeId, Op, Shape};
-use crate::mistake::Mistake;
-use crate::problem::Problem;
 use crate::stream::{inputs_of_stream, say_untaken};
+use tilewright_circuit::ir::{NodeId, Op, Shape};
+use tilewright_circuit::{Bits, Mistake, Problem};
 
 pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
     for register in draft.registers.iter().filter(|register| register.next.is_none()) {

@@ -3,12 +3,10 @@
 use crate::attribute;
 use crate::draft::Draft;
 use crate::elaboration::Elaboration;
-use crate::ir::{ClockId, Foreign, Instance, Module, NodeId, Op, Parameter};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::names::illegal;
-use crate::problem::Problem;
 use std::collections::{BTreeMap, BTreeSet};
+use tilewright_circuit::ir::{ClockId, Foreign, Instance, Module, NodeId, Op, Parameter};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// Begins the module with the clocks of the foreign one, if it is one.
 pub(crate) fn begin(e: &mut Elaboration, foreign: Option<Foreign>) {

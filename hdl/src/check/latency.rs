@@ -1,9 +1,8 @@
 //! Checks a latency that is stated as a number against the counted one.
 
-use crate::ir::Module;
-use crate::ir::latency::{Delay, latency, output_delays};
-use crate::mistake::Mistake;
-use crate::problem::Problem;
+use tilewright_circuit::ir::Module;
+use tilewright_circuit::ir::latency::{Delay, latency, output_delays};
+use tilewright_circuit::{Mistake, Problem};
 
 /// Adds the delays of `module` to those of the earlier modules, if these have no problem.
 pub(crate) fn check(

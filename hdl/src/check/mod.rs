@@ -3,9 +3,7 @@
 pub(crate) mod domains;
 pub(crate) mod drives;
 pub(crate) mod foreign;
-mod lane_loops;
 pub(crate) mod latency;
-pub(crate) mod loops;
 pub(crate) mod naming;
 mod numbering;
 pub(crate) mod outputs;

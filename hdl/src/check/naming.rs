@@ -2,13 +2,11 @@
 
 use crate::check::{numbering, unused};
 use crate::draft::Draft;
-use crate::ir::{Instance, Module, Node, NodeId, Op};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::module::port_name;
+use crate::names::port_name;
 use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
-use crate::problem::Problem;
 use std::collections::{BTreeMap, HashMap, HashSet};
+use tilewright_circuit::ir::{Instance, Module, Node, NodeId, Op};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// Returns the module's name. It gets a `_` if an object in the module has the same name, because Verilator rejects
 /// such a top module.

@@ -1,9 +1,9 @@
 //! Numbers for the names that one place in the source asks for several times: a helper that is called twice, a loop.
 
 use crate::draft::{Draft, UNDRIVEN};
-use crate::ir::{NodeId, Op};
-use crate::loc::Loc;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
+use tilewright_circuit::Loc;
+use tilewright_circuit::ir::{NodeId, Op};
 
 /// An object of a draft that has a name.
 #[derive(Clone, Copy)]

@@ -1,12 +1,12 @@
 //! Checks that the outputs have the declared widths.
 
 use crate::elaboration::Elaboration;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
-use crate::signal::{Signal, bits_text};
+use crate::names::bits_text;
+use crate::signal::Signal;
 use crate::uneven::uneven;
 use crate::width::Width;
 use std::collections::HashSet;
+use tilewright_circuit::{Mistake, Problem};
 
 /// Reports outputs that differ from their declaration. `outputs` are the results of `build`, `declared` the widths,
 /// both by their paths.

@@ -1,10 +1,9 @@
 //! Pads are in the top, and each has its outside among the top's inputs.
 
-use crate::ir::{Clock, Input, Instance, Module, NodeId, Op, Property};
-use crate::mistake::Mistake;
-use crate::module::port_name;
+use crate::names::port_name;
 use crate::names::{is_reserved, is_reserved_in_cpp};
-use crate::problem::Problem;
+use tilewright_circuit::ir::{Clock, Input, Instance, Module};
+use tilewright_circuit::{Mistake, Problem};
 
 /// Reports pads that cannot become ports. The top is the last module.
 pub(crate) fn check(done: &[Module]) -> Vec<Problem> {
@@ -56,7 +55,7 @@ pub(super) fn ports(inputs: &[Input]) -> impl Iterator<Item = String> {
 }
 
 /// What else has the name of a pad's port.
-fn named(module: &Module, port: &str) -> Option<(&'static str, crate::loc::Loc)> {
+fn named(module: &Module, port: &str) -> Option<(&'static str, tilewright_circuit::Loc)> {
     let output = module.outputs.iter().find(|output| output.name == port);
     let output = output.map(|output| ("an output", module.node(output.node).loc));
     let net = module.nodes.iter().find(|node| node.name.as_deref() == Some(port));
@@ -67,50 +66,4 @@ fn named(module: &Module, port: &str) -> Option<(&'static str, crate::loc::Loc)>
     let is_reset = |clock: &&Clock| clock.reset.as_deref() == Some(port);
     let reset = || module.clocks.iter().find(is_reset).map(|_| ("a reset", module.loc));
     output.or_else(net).or_else(memory).or_else(instance).or_else(clock).or_else(reset)
-}
-
-impl Instance {
-    /// What the outside of a pad does: the value, and whether it drives. An enable may follow these inputs.
-    #[doc(hidden)]
-    pub fn outside(&self) -> Option<[NodeId; 2]> {
-        match self.inputs[..] {
-            [_, _, value, drives, ..] => Some([value, drives]),
-            _ => None,
-        }
-    }
-}
-
-impl Module {
-    /// The name of the `inout` port of a pad: that of the two inputs for its outside, which only the pad reads.
-    #[doc(hidden)]
-    pub fn pad_port(&self, pad: &Instance) -> Option<String> {
-        let [value, drives] = pad.outside()?;
-        let path = |node: NodeId| match self.node(node).op {
-            Op::Input(index) if self.uses(node) == 1 => Some(self.inputs[index as usize].path.as_str()),
-            _ => None,
-        };
-        let name = path(value)?.strip_suffix(".value")?;
-        (path(drives)?.strip_suffix(".drives")? == name).then(|| port_name("", name))
-    }
-
-    /// How often a node is read.
-    fn uses(&self, node: NodeId) -> usize {
-        let mut count = 0;
-        let mut read = |of: NodeId| count += usize::from(of == node);
-        self.nodes.iter().for_each(|it| it.op.for_each_operand(&mut read));
-        self.outputs.iter().for_each(|output| read(output.node));
-        self.properties.iter().flat_map(Property::nodes).for_each(&mut read);
-        self.registers
-            .iter()
-            .for_each(|register| register.enable.into_iter().chain([register.next]).for_each(&mut read));
-        for memory in &self.memories {
-            memory.reads.iter().for_each(|port| port.enable.into_iter().chain([port.address]).for_each(&mut read));
-            memory
-                .writes
-                .iter()
-                .for_each(|port| [port.enable, port.address, port.data].into_iter().for_each(&mut read));
-        }
-        self.instances.iter().for_each(|instance| instance.inputs.iter().copied().for_each(&mut read));
-        count
-    }
 }

@@ -1,14 +1,12 @@
 //! Values from different stages of one pipeline that meet, although they belong to different records.
 
 use crate::draft::Draft;
-use crate::graph::{Edges, cyclic_components, targets_first};
-use crate::ir::{NodeId, Op};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
 use crate::stages::Stage;
 use crate::summary::{self, Summary};
 use std::collections::BTreeSet;
+use tilewright_circuit::graph::{Edges, cyclic_components, targets_first};
+use tilewright_circuit::ir::{NodeId, Op};
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// The stage of a value, and the stage register that it comes from.
 #[derive(Clone, Copy)]

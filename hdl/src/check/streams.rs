@@ -1,11 +1,10 @@
 //! Streams that are offered only when the receiver is ready. The receiver may wait for the offer in turn.
 
 use crate::draft::Draft;
-use crate::ir::NodeId;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
 use crate::summary::{Dependence, Summary};
 use std::collections::HashMap;
+use tilewright_circuit::ir::NodeId;
+use tilewright_circuit::{Mistake, Problem};
 
 pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], summary: &Summary, problems: &mut Vec<Problem>) {
     let paths = outputs.iter().map(|(path, _)| path.as_str());

@@ -1,11 +1,9 @@
 //! Logic that feeds a synchronizer: the other clock may sample a glitch as an event.
 
 use crate::draft::Draft;
-use crate::ir::NodeId;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::problem::Problem;
 use crate::summary::{self, Summary};
+use tilewright_circuit::ir::NodeId;
+use tilewright_circuit::{Loc, Mistake, Problem};
 
 /// Returns the inputs that are wired to a synchronizer here or in an instance, with its name. The parents check what
 /// feeds them.

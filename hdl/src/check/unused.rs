@@ -1,9 +1,8 @@
 //! What reads which node, and inputs that nothing reads.
 
 use crate::draft::Draft;
-use crate::ir::{NodeId, Op};
-use crate::mistake::Mistake;
-use crate::problem::Problem;
+use tilewright_circuit::ir::{NodeId, Op};
+use tilewright_circuit::{Mistake, Problem};
 
 /// For each node, whether a node for which `counts` is true reads it, or state or a statement.
 pub(super) fn read_within(draft: &Draft, counts: impl Fn(&Op) -> bool) -> Vec<bool> {

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::bundle::Bundle;
 use crate::fields::Fields;
-use crate::ir::About;
 use crate::signal::Signal;
+use tilewright_circuit::ir::About;
 
 /// The text of a documentation line; of any other attribute, nothing.
 #[doc(hidden)]

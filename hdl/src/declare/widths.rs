@@ -3,9 +3,9 @@
 use crate::bundle::join;
 use crate::fields::Fields;
 use crate::limits::MOST_PORTS;
-use crate::mistake::Mistake;
 use crate::stream::backwards;
 use crate::width::Width;
+use tilewright_circuit::Mistake;
 
 /// A list of identical ports.
 #[doc(hidden)]

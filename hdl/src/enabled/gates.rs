@@ -1,14 +1,11 @@
 //! Puts the enables of a module's parts before all that is clocked in them.
 
 use super::PartId;
-use crate::bits::Bits;
 use crate::draft::Draft;
-use crate::ir::{Binary, ClockId, Module, NodeId, Op, Shape};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::past::only_where;
-use crate::problem::Problem;
 use std::collections::HashMap;
+use tilewright_circuit::ir::{Binary, ClockId, Module, NodeId, Op, Shape};
+use tilewright_circuit::{Bits, Loc, Mistake, Problem};
 
 /// Enables registers, memory ports, instances and properties of a finished description by the parts that they are in.
 pub(crate) fn apply(

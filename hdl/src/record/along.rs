@@ -6,13 +6,12 @@ use crate::data::{Fits, value_of_field};
 use crate::elaboration;
 use crate::index::Index;
 use crate::integers::Integer;
-use crate::ir::Shape;
-use crate::loc::Loc;
-use crate::mistake::Mistake;
 use crate::operand::{IntoSignal, Value};
 use crate::record::from_leaves;
 use crate::signal::Signal;
 use crate::stream::backwards;
+use tilewright_circuit::ir::Shape;
+use tilewright_circuit::{Loc, Mistake};
 
 /// Ends the elaboration if the record contains a stream, which is no value.
 #[track_caller]

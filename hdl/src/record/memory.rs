@@ -1,13 +1,13 @@
 //! Memories of records: one memory with the fields side by side in its words.
 
 use crate::bundle::Bundle;
-use crate::clock::Clock;
 use crate::data::{Fits, number_of_field};
 use crate::memory::Mem;
 use crate::operand::{IntoSignal, Literal, Operand, Value};
 use crate::record::{sound_fields, split};
 use crate::select::concat;
 use crate::width::Width;
+use tilewright_circuit::Clock;
 
 /// A memory of records is one memory. Its words have the fields side by side, the first most significant, as in
 /// [`cat!`](crate::cat!). A read gives a record. Naming it, as in `def!(step = ..)`, names its word and its fields

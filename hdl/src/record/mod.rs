@@ -12,21 +12,20 @@ mod zero;
 pub use declaration::{Record, rules};
 pub use lanes::Lanes;
 pub use register::RecordUpdates;
+use tilewright_circuit::{Loc, Mistake, Problem};
 pub use zero::{Numbers, Zero};
 
 use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::elaboration;
 use crate::fields::{Fields, Leaf};
-use crate::ir::{Kind, NodeId, Op, Shape};
 use crate::limits::{WIDEST, sound_width};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::module::port_name;
-use crate::problem::Problem;
+use crate::names::bits_text;
+use crate::names::port_name;
 use crate::select::{concat, lit};
-use crate::signal::{Signal, bits_text};
+use crate::signal::Signal;
 use crate::width::{Width, bits};
+use tilewright_circuit::ir::{Kind, NodeId, Op, Shape};
 
 #[doc(hidden)]
 #[track_caller]

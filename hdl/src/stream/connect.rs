@@ -1,16 +1,14 @@
 //! The way back of a stream's `ready`: a net that the receiver of the stream drives.
 
-use crate::clock::Clock;
 use crate::draft::{Draft, DraftWire, UNDRIVEN};
 use crate::elaboration::{self, Elaboration};
 use crate::fields::{Fields, Leaf, Visited};
-use crate::ir::{Input, InstanceId, Kind, NodeId, Op, Shape};
-use crate::loc::Loc;
-use crate::mistake::Mistake;
-use crate::module::{Module, port_name};
-use crate::problem::Problem;
+use crate::module::Module;
+use crate::names::port_name;
 use crate::signal::Signal;
 use crate::wire::is_here;
+use tilewright_circuit::ir::{Input, InstanceId, Kind, NodeId, Op, Shape};
+use tilewright_circuit::{Clock, Loc, Mistake, Problem};
 
 /// A stream that can be taken in the module under construction.
 pub(crate) struct DraftStream {

@@ -2,12 +2,12 @@
 
 use crate::data::Data;
 use crate::elaboration::{self, Elaboration};
-use crate::ir::Shape;
 use crate::lanes::stack;
-use crate::loc::Loc;
 use crate::record::from_leaves;
 use crate::signal::Signal;
 use crate::stream::{Origin, Stream, take, untaken};
+use tilewright_circuit::Loc;
+use tilewright_circuit::ir::Shape;
 
 impl<P: Data> Stream<P> {
     /// The streams of a row, each for a receiver of its own: for example, from an array of instances to an arbiter.

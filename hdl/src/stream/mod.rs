@@ -8,10 +8,10 @@ mod wire;
 pub(crate) use connect::{DraftStream, Origin, Sent, backwards, inputs_of_stream, leave, say_untaken, take, untaken};
 pub(crate) use lanes::stack_ready;
 pub use offer::Taken;
+use tilewright_circuit::Clock;
 pub use wire::StreamWire;
 
 use crate::bundle::join;
-use crate::clock::Clock;
 use crate::data::{Data, Layout};
 use crate::fields::{Fields, Leaf, Visited};
 use crate::width::{Width, bit};

@@ -2,7 +2,6 @@
 
 use crate::data::Data;
 use crate::elaboration;
-use crate::loc::Loc;
 use crate::module::Module;
 use crate::operand::{IntoSignal, Operand, Value};
 use crate::record;
@@ -10,6 +9,7 @@ use crate::select::condition;
 use crate::signal::Signal;
 use crate::stream::{Origin, Stream, take, untaken};
 use std::ops::Deref;
+use tilewright_circuit::Loc;
 
 /// A stream that is being taken, made by [`Stream::take_when`]. It reads as its payload.
 ///

@@ -2,13 +2,14 @@
 
 use crate::data::{Data, Layout};
 use crate::fields::Fields;
-use crate::loc::Loc;
-use crate::module::{Module, port_name};
+use crate::module::Module;
+use crate::names::port_name;
 use crate::signal::Signal;
 use crate::stream::Stream;
 use crate::width::bit;
 use crate::wire::Wire;
 use std::ops::Deref;
+use tilewright_circuit::Loc;
 
 /// A stream declared before its sender, made by [`Module::stream_wire`]. It reads as the stream; call
 /// [`drive`](StreamWire::drive) exactly once.

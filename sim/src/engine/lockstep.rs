@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tilewright_hdl::{Bits, limbs_for};
+use tilewright_circuit::{Bits, limbs_for};
 
 use crate::engine::program::{Memory, Program, Triggers, ValueId, hierarchy};
 use crate::engine::reference;

@@ -21,7 +21,7 @@ pub(crate) mod until;
 use std::cell::Cell;
 use std::fmt;
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 pub use choice::EngineKind;
 pub(crate) use choice::Started;

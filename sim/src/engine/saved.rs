@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tilewright_hdl::limbs_for;
+use tilewright_circuit::limbs_for;
 
 use crate::engine::Engine;
 use crate::engine::program::{Kind, Memory, Program, ValueId};

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use tilewright_hdl::ir::{Contents, Init};
-use tilewright_hdl::{Bits, limbs_for, top_mask};
+use tilewright_circuit::ir::{Contents, Init};
+use tilewright_circuit::{Bits, limbs_for, top_mask};
 
 use crate::engine::program::hierarchy::Role;
 use crate::engine::program::{Memory, Program, Register, ValueId};

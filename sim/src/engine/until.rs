@@ -1,7 +1,7 @@
 //! The condition that ends a run.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Relation;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Relation;
 
 use crate::engine::program::ValueId;
 use crate::limbs;

@@ -1,6 +1,7 @@
 //! The counts of covers.
 
-use tilewright_hdl::{Bundle, Loc};
+use tilewright_circuit::Loc;
+use tilewright_hdl::Bundle;
 
 use crate::engine::program::Cover;
 

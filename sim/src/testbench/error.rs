@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::PathBuf;
 
-use tilewright_hdl::{Loc, Problems};
+use tilewright_circuit::{Loc, Problems};
 
 use crate::engine::Difference;
 use crate::testbench::checkpoint::CheckpointError;

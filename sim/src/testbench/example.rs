@@ -6,8 +6,9 @@
 
 use std::array;
 
-use tilewright_hdl::ir::Directive;
-use tilewright_hdl::{Block, Design, Module, elaborate};
+use tilewright_circuit::Design;
+use tilewright_circuit::ir::Directive;
+use tilewright_hdl::{Block, Module, elaborate};
 
 use crate::engine::EngineKind;
 use crate::testbench::simulation::Simulation;

@@ -1,7 +1,8 @@
 //! Blocks that the examples of this crate run.
 
+use tilewright_circuit::ReadUnderWrite;
 use tilewright_hdl::catalog::{Entry, Parameter};
-use tilewright_hdl::{DEFAULT_PERIOD, Module, ReadUnderWrite, Script, bit, bits, block, def, elaborate};
+use tilewright_hdl::{DEFAULT_PERIOD, Module, Script, bit, bits, block, def, elaborate};
 
 block! {
     /// Counts, and squares the count.
@@ -92,5 +93,24 @@ impl Increment {
         sum.when(words.taken, *words + 1);
         full.when(words.taken, 1).when(sent, 0);
         IncrementOut { sums }
+    }
+}
+
+block! {
+    /// Delays each word by a clock.
+    pub struct Delay;
+    in DelayIn {
+        /// The input.
+        word: bits(8),
+    }
+    out DelayOut {
+        /// The previous input.
+        late: bits(8),
+    }
+}
+
+impl Delay {
+    fn build(&self, m: Module, i: DelayIn) -> DelayOut {
+        DelayOut { late: m.pipe("held", i.word) }
     }
 }

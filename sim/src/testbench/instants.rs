@@ -1,6 +1,6 @@
 //! Advancing a running circuit in time.
 
-use tilewright_hdl::Reset;
+use tilewright_circuit::Reset;
 
 use crate::engine::Failed;
 use crate::engine::program::{self, Triggers};

@@ -1,6 +1,6 @@
 //! From a hierarchical name, such as `u_cell[3].sum`, to its object.
 
-use tilewright_hdl::ir::Shape;
+use tilewright_circuit::ir::Shape;
 
 use crate::engine::program::Hierarchy;
 use crate::engine::program::hierarchy::{self, Place, Signal};

@@ -1,6 +1,7 @@
 //! Signals and memories that are looked at in many clocks: their names are looked up once.
 
-use tilewright_hdl::{Bits, Bundle};
+use tilewright_circuit::Bits;
+use tilewright_hdl::Bundle;
 
 use crate::engine::{Limb, Limbs};
 use crate::testbench::error::UnknownName;

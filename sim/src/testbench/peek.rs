@@ -1,7 +1,8 @@
 //! Signals and memories by name: reading and replacing their values.
 
-use tilewright_hdl::ir::Kind;
-use tilewright_hdl::{Bits, Bundle, Codes};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Kind;
+use tilewright_hdl::{Bundle, Codes};
 
 use crate::engine::Word;
 use crate::engine::program::Triggers;

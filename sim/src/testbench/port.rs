@@ -1,6 +1,7 @@
 //! Handles of ports, and the values that can be assigned to them.
 
-use tilewright_hdl::{Bits, Leaf, limbs_for};
+use tilewright_circuit::{Bits, limbs_for};
+use tilewright_hdl::Leaf;
 
 /// An input or output port of a simulation; the leaf of the bundles `sim.i` and `sim.o`.
 ///

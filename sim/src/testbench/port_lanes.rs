@@ -1,6 +1,6 @@
 //! Ports with lanes: a value for each lane.
 
-use tilewright_hdl::{Bits, limbs_for};
+use tilewright_circuit::{Bits, limbs_for};
 
 use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::running::{Running, bits};

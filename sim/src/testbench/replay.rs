@@ -1,7 +1,8 @@
 //! Repeats a recorded run.
 
-use tilewright_hdl::recording::{Initial, Recording, Step};
-use tilewright_hdl::{Bits, Bundle};
+use tilewright_circuit::Bits;
+use tilewright_circuit::recording::{Initial, Recording, Step};
+use tilewright_hdl::Bundle;
 
 use crate::engine::{Beginning, Given};
 use crate::testbench::error::{Error, UnknownName};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::{Bits, Design, limbs_for, top_mask};
+use tilewright_circuit::{Bits, Design, limbs_for, top_mask};
 
 use crate::engine::program::{self, Program, Triggers, ValueId};
 use crate::engine::{Beginning, EngineKind, Passes, Slot, Started, lane};

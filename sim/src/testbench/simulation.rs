@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use tilewright_hdl::{Block, Bundle, DEFAULT_PERIOD, DefaultClock, Design, elaborate_typed};
+use tilewright_circuit::{DefaultClock, Design};
+use tilewright_hdl::{Block, Bundle, DEFAULT_PERIOD, elaborate_typed};
 
 use crate::engine::program::Program;
 use crate::engine::{EngineKind, Passes};

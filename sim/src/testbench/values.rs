@@ -1,6 +1,7 @@
 //! Inputs and outputs of a simulation: single ones, lists, and whole bundles.
 
-use tilewright_hdl::{Bits, Bundle, Fields, Leaf, Visited};
+use tilewright_circuit::Bits;
+use tilewright_hdl::{Bundle, Fields, Leaf, Visited};
 
 use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::simulation::{Simulation, in_step};

@@ -4,8 +4,8 @@ use super::Fold;
 use super::Outcome::{self, Op as Is};
 use crate::verilog::constant;
 use crate::verilog::lane_values::{known, values};
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{NodeId, Op, Reduction, Relation, Shape};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{NodeId, Op, Reduction, Relation, Shape};
 
 /// More lanes than this are not computed one by one.
 const MOST_LANES: u32 = 4096;

@@ -4,8 +4,8 @@
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
 use super::lower::WIDEST_VECTOR;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Affine, NodeId, Op, Reduction, Relation};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Affine, NodeId, Op, Reduction, Relation};
 
 /// Longer lists are combined by a generated tree rather than by an expression.
 const LONGEST_LIST: usize = 64;

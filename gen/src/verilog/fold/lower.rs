@@ -2,8 +2,8 @@
 //! does a child's port. A memory with lanes and one address becomes a memory of wide words whose enables are write
 //! masks. Reset values for each lane become constants for each lane.
 
-use tilewright_hdl::ir::{Contents, Design, Init, InstanceId, MemoryId, Module, Node, NodeId, Op, Shape};
-use tilewright_hdl::{Bits, index_width};
+use tilewright_circuit::ir::{Contents, Design, Init, InstanceId, MemoryId, Module, Node, NodeId, Op, Shape};
+use tilewright_circuit::{Bits, index_width};
 
 /// Wider vectors are avoided: tools limit their width.
 pub const WIDEST_VECTOR: u64 = 65_536;

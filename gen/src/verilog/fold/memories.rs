@@ -3,8 +3,8 @@
 use super::Fold;
 use super::Outcome::{self, Op as Is};
 use crate::verilog::reads::constant_address;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, MemoryId, Node, NodeId, Op};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Contents, MemoryId, Node, NodeId, Op};
 
 impl Fold {
     /// The bit that all lanes of a mask have, if they have one; otherwise the mask.

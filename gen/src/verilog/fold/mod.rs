@@ -11,8 +11,8 @@ mod shift;
 
 use super::order::{for_each_read, map_operands, operands_first};
 use operators::WIDEST_SIGNED_PRODUCT;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Design, Directive, Kind, Module, Node, NodeId, Op, Shape};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Design, Directive, Kind, Module, Node, NodeId, Op, Shape};
 
 /// A circuit that is ready to be printed.
 pub struct Folded {

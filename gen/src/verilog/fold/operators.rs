@@ -4,8 +4,8 @@ use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
 use crate::verilog::constant;
 use crate::verilog::plan::{MOST_ARMS, MOST_KEYS};
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Node, NodeId, Op, Relation, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Node, NodeId, Op, Relation, Unary};
 
 /// Longer concatenations are nested: Verilator makes each part one level deeper, and runs out of stack at tens of
 /// thousands.

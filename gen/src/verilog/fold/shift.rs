@@ -3,8 +3,8 @@
 
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, NodeId, Op, Shift, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, NodeId, Op, Shift, Unary};
 
 /// Wider shift amounts are truncated, with the fill if a dropped bit is set.
 const WIDEST_AMOUNT: u32 = 16;

@@ -8,7 +8,7 @@ use super::lane_values::lane_constants;
 use super::order::{for_each_read, operands_first};
 pub use needs::is_place;
 use needs::{lane_operands, lists};
-use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Property, Shift, Unary};
+use tilewright_circuit::ir::{Binary, Module, Node, NodeId, Op, Property, Shift, Unary};
 
 /// Longer expressions, in columns, are split.
 const LONGEST: usize = 84;

@@ -3,7 +3,7 @@
 
 use super::{Form, Planner};
 use crate::verilog::order::for_each_read;
-use tilewright_hdl::ir::{Node, NodeId, Op};
+use tilewright_circuit::ir::{Node, NodeId, Op};
 
 impl Planner<'_> {
     /// A value that is read in another lane, or more than once, gets a name; but a plain expression may be printed in

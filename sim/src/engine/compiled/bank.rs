@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use rustc_hash::FxHashSet;
-use tilewright_hdl::ir::Contents;
+use tilewright_circuit::ir::Contents;
 
 use super::emitter::MemoryAt;
 use super::layout::Words;
@@ -91,7 +91,8 @@ fn common(program: &Program) -> FxHashSet<ValueId> {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bits, bundle, elaborate};
+    use tilewright_circuit::ReadUnderWrite;
+    use tilewright_hdl::{Block, Module, Width, bits, bundle, elaborate};
 
     use super::*;
     use crate::engine::Passes;

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use super::function::{Function, Sink, happening};
 use super::plan::{Kernel, Plan, Switch};

@@ -1,6 +1,6 @@
 //! The functions for edges, and when each is made.
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use super::Compiled;
 use super::function::{Function, Held, Maker};

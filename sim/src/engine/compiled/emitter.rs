@@ -1,7 +1,7 @@
 //! From a planned function to machine code.
 
-use tilewright_hdl::ir::Binary;
-use tilewright_hdl::top_mask;
+use tilewright_circuit::ir::Binary;
+use tilewright_circuit::top_mask;
 
 use super::function::{Function, Sink};
 use super::lanes::ty;

@@ -6,7 +6,7 @@
 
 use std::cell::Cell as Number64;
 
-use tilewright_hdl::{limbs_for, top_mask};
+use tilewright_circuit::{limbs_for, top_mask};
 
 use super::Compiled;
 use super::emitter::MemoryAt;

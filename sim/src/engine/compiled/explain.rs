@@ -3,8 +3,8 @@
 use std::fmt::Write;
 use std::sync::Arc;
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Design;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Design;
 
 use super::emitter::{Addresses, Emitter, MemoryAt};
 use super::function::{Function, Held, Maker, Sink};

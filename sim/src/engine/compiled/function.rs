@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::ir::{Binary, ReadUnderWrite, Reduction, Relation, Unary};
-use tilewright_hdl::{Bits, limbs_for};
+use tilewright_circuit::ir::{Binary, ReadUnderWrite, Reduction, Relation, Unary};
+use tilewright_circuit::{Bits, limbs_for};
 
 use crate::engine::LINE;
 use crate::engine::program::{Axis, Cell, Circuit, Kind, Program, Register, ValueId};

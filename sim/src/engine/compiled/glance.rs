@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Reduction, Relation};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Reduction, Relation};
 
 use super::Compiled;
 use super::emitter::MemoryAt;

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use tilewright_hdl::ir::Reduction;
+use tilewright_circuit::ir::Reduction;
 
 use super::emitter::{Count, Emitter};
 use super::function::Sink;

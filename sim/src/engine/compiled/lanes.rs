@@ -18,8 +18,8 @@ mod shift;
 mod tests;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Unary;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Unary;
 
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::{Builder, Value};

@@ -6,7 +6,7 @@
 
 use std::cell::RefCell;
 
-use tilewright_hdl::{limbs_for, top_mask};
+use tilewright_circuit::{limbs_for, top_mask};
 
 use super::emitter::MemoryAt;
 use super::store::is_mask;

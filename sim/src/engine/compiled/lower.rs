@@ -13,8 +13,8 @@ mod reduce;
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Binary;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Binary;
 
 use super::emitter::MemoryAt;
 use super::function::{Became, Function, Sink};

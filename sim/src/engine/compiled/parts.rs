@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use tilewright_hdl::{Bits, limbs_for, top_mask};
+use tilewright_circuit::{Bits, limbs_for, top_mask};
 
 use super::Compiled;
 use crate::engine::fields::Part;

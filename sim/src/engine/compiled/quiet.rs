@@ -14,8 +14,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Unary};
 
 use super::function::{Function, Sink};
 use super::plan::{Kernel, Plan, Switch};

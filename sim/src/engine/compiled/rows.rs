@@ -3,7 +3,7 @@
 
 use std::cell::Cell;
 
-use tilewright_hdl::limbs_for;
+use tilewright_circuit::limbs_for;
 
 use super::Compiled;
 use super::function::Maker;

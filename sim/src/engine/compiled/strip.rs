@@ -5,7 +5,7 @@ mod gather;
 
 use std::collections::HashMap;
 
-use tilewright_hdl::ir::Reduction;
+use tilewright_circuit::ir::Reduction;
 
 use super::emitter::{Emitter, offset};
 use super::lanes::{Lanes, Span, operator};

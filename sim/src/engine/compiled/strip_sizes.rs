@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use tilewright_hdl::ir::Affine;
+use tilewright_circuit::ir::Affine;
 
 use super::layout::element;
 use crate::engine::program::{Axis, Cell, Kind, Program};
@@ -92,7 +92,7 @@ impl Array {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::Bits;
+    use tilewright_circuit::Bits;
 
     use super::*;
     use crate::engine::program::ValueId;

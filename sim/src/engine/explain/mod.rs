@@ -4,7 +4,7 @@ mod operation;
 mod pass;
 mod text;
 
-use tilewright_hdl::ir::Design;
+use tilewright_circuit::ir::Design;
 
 use super::program::{Program, compile, flat, tidy};
 use super::{Passes, compiled, fields, pack};

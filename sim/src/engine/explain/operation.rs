@@ -1,7 +1,7 @@
 //! An operation in a line.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
 
 use crate::engine::program::{Axis, Kind, Lowered, ValueId};
 

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::ir::Init;
+use tilewright_circuit::ir::Init;
 
 use super::operation::{constant, operation};
 use crate::engine::program::{Circuit, Kind, Program, ValueId};

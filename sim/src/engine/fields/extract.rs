@@ -1,8 +1,8 @@
 //! Parts of words, taken from the sources of the words.
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Unary;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Unary;
 
 use super::layout::is_bitwise;
 use super::{Piece, WIDE};

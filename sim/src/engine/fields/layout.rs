@@ -5,7 +5,7 @@
 //! is a border in all.
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::ir::{Binary, Unary};
+use tilewright_circuit::ir::{Binary, Unary};
 
 use super::{Piece, WIDE};
 use crate::engine::program::{Axis, Cell, Kind, Program, ValueId};

@@ -8,8 +8,8 @@ mod extract;
 mod layout;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, Init};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Contents, Init};
 
 use super::program::hierarchy::Signal;
 use super::program::{

@@ -1,6 +1,6 @@
 //! An instant at which clocks rise: everything samples, then everything changes.
 
-use tilewright_hdl::ir::ReadUnderWrite;
+use tilewright_circuit::ir::ReadUnderWrite;
 
 use super::Engine;
 use super::memory::{address, word};
@@ -146,7 +146,7 @@ impl Engine {
                 };
                 if memory.policy == ReadUnderWrite::Any && written() {
                     out.iter_mut().for_each(|limb| *limb = !*limb);
-                    *out.last_mut().expect("a value has a limb") &= tilewright_hdl::top_mask(data.width);
+                    *out.last_mut().expect("a value has a limb") &= tilewright_circuit::top_mask(data.width);
                 }
             }
         }

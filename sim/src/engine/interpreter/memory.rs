@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use tilewright_hdl::limbs_for;
+use tilewright_circuit::limbs_for;
 
 use super::Engine;
 use crate::engine::program::{Memory, Value, ValueId};

@@ -10,7 +10,7 @@ mod narrow;
 use std::ops::Range;
 use std::sync::Arc;
 
-use tilewright_hdl::limbs_for;
+use tilewright_circuit::limbs_for;
 
 use crate::engine::program::{Cell, Kind, Memory, Program, Readers, Triggers, ValueId};
 use crate::engine::semantics::{self, Number};

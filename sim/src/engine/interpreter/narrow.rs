@@ -1,8 +1,8 @@
 //! Operations on values of up to 64 bits: one limb a lane, with the loop over lanes inside the choice of the
 //! operation.
 
-use tilewright_hdl::ir::{Binary, Reduction, Relation, Shift, Unary};
-use tilewright_hdl::{Bits, top_mask};
+use tilewright_circuit::ir::{Binary, Reduction, Relation, Shift, Unary};
+use tilewright_circuit::{Bits, top_mask};
 
 use crate::engine::program::{Axis, Cell, Kind, Program, ValueId};
 use crate::engine::semantics::{self, Number};

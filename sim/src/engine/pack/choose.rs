@@ -4,7 +4,7 @@
 //! the borders, because that is done lane by lane.
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::ir::ReadUnderWrite;
+use tilewright_circuit::ir::ReadUnderWrite;
 
 use super::making::{Making, Shifted, making, repeated, shifted};
 use crate::engine::program::{Axis, Cell, Circuit, Kind, Memory, Program, ValueId};

@@ -1,6 +1,6 @@
 //! The way in which the words of a value are made, if its lanes are packed.
 
-use tilewright_hdl::ir::{Affine, Binary};
+use tilewright_circuit::ir::{Affine, Binary};
 
 use crate::engine::program::{Axis, Circuit, Kind, ValueId};
 

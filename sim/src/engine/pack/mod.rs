@@ -10,8 +10,8 @@ mod moved;
 mod words;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, Init};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Contents, Init};
 
 use super::program::hierarchy::Signal;
 use super::program::{

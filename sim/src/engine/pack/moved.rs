@@ -1,7 +1,7 @@
 //! Bits that change places within words.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Affine, Binary, Shift};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Affine, Binary, Shift};
 
 use super::making::{Shifted, alternating, shifted};
 use super::words::Words;

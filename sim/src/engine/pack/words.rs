@@ -1,8 +1,8 @@
 //! Words, added to a circuit whose lanes they pack.
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Reduction, Relation, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Reduction, Relation, Unary};
 
 use super::choose::Choice;
 use super::making::{Making, known, making, repeated};

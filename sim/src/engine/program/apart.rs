@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::ir::{Design, Module};
+use tilewright_circuit::ir::{Design, Module};
 
 use super::flatten::Key;
 use super::instances::key_of;

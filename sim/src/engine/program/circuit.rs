@@ -3,7 +3,7 @@
 
 use std::ops::Index;
 
-use tilewright_hdl::{Bits, Loc};
+use tilewright_circuit::{Bits, Loc};
 
 use super::Kind;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::ir::{Design, Instance, Node, NodeId, Op};
+use tilewright_circuit::ir::{Design, Instance, Node, NodeId, Op};
 
 use super::flatten::{self, Flat, Unrolled};
 use super::{Passes, Program, ValueId, apart, cycles, schedule};

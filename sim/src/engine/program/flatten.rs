@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
-use tilewright_hdl::Edge;
-use tilewright_hdl::ir::{self, Design, Instance, InstanceId, MemoryId, Module, ModuleId, Node, NodeId, Op};
+use tilewright_circuit::Edge;
+use tilewright_circuit::ir::{self, Design, Instance, InstanceId, MemoryId, Module, ModuleId, Node, NodeId, Op};
 
 use super::hierarchy::{Replication, Scope, ScopeId};
 use super::instances::{Children, key_of};
@@ -358,7 +358,7 @@ pub(super) fn elementwise(node: &Node, at: impl Fn(&NodeId) -> ValueId) -> Kind 
     }
 }
 
-fn program_clock(clock: &tilewright_hdl::ir::Clock) -> Clock {
+fn program_clock(clock: &tilewright_circuit::ir::Clock) -> Clock {
     Clock {
         name: clock.name.unwrap_or(&clock.port).to_string(),
         port: clock.port.clone(),

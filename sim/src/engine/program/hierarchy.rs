@@ -1,6 +1,6 @@
 //! The names of a program: the tree of instances as in the Verilog, and the value behind each name.
 
-use tilewright_hdl::ir::{Kind, Shape};
+use tilewright_circuit::ir::{Kind, Shape};
 
 use super::ValueId;
 

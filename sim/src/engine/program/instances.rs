@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use tilewright_hdl::ir::{ClockId, Design, Instance, Module, ModuleId, Shape};
+use tilewright_circuit::ir::{ClockId, Design, Instance, Module, ModuleId, Shape};
 
 use super::flatten::{Body, Entered, Flatten, Key};
 use super::hierarchy::{Replication, ScopeId};

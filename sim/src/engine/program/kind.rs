@@ -1,7 +1,7 @@
 //! The operations that compute values: the flattened operators of the circuit.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shape, Shift, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Affine, Binary, Reduction, Relation, Shape, Shift, Unary};
 
 use super::ValueId;
 

@@ -25,8 +25,8 @@ mod schedule;
 mod split;
 
 use crate::engine::Passes;
-use tilewright_hdl::ir::{Contents, Init, ReadUnderWrite};
-use tilewright_hdl::{Bits, Reset, limbs_for};
+use tilewright_circuit::ir::{Contents, Init, ReadUnderWrite};
+use tilewright_circuit::{Bits, Reset, limbs_for};
 
 pub use circuit::{Cell, Circuit, ValueId};
 pub use compile::{compile, compile_lanes, most_lanes};

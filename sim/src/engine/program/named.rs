@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::ir::{Kind, Module, Node, NodeId, Op};
+use tilewright_circuit::ir::{Kind, Module, Node, NodeId, Op};
 
 use super::ValueId;
 use super::flatten::{Body, Flatten};

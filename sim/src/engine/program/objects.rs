@@ -1,7 +1,7 @@
 //! The objects that an instance reads and changes: registers, memories, properties.
 
-use tilewright_hdl::ir::{self, Binary, ClockId, Directive, Module, NodeId, Piece, Property, Shape};
-use tilewright_hdl::{Bits, Loc};
+use tilewright_circuit::ir::{self, Binary, ClockId, Directive, Module, NodeId, Piece, Property, Shape};
+use tilewright_circuit::{Bits, Loc};
 
 use super::flatten::{Body, Flatten};
 use super::{Assert, Axis, Cell, Cover, Display, Kind, Memory, ReadPort, Register, UnitId, ValueId, WritePort};

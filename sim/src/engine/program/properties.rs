@@ -1,7 +1,7 @@
 //! What a circuit states: assertions and assumptions, covers, and displays.
 
-use tilewright_hdl::Loc;
-use tilewright_hdl::ir;
+use tilewright_circuit::Loc;
+use tilewright_circuit::ir;
 
 use super::{ValueId, hierarchy};
 

@@ -6,7 +6,7 @@
 
 use std::cmp::Reverse;
 
-use tilewright_hdl::limbs_for;
+use tilewright_circuit::limbs_for;
 
 use super::{Cell, Circuit, Kind, Memory, Program, Readers, Schedule, Segment, Triggers, ValueId};
 

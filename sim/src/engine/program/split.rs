@@ -1,7 +1,7 @@
 //! Single lanes of nodes, for lanes that depend on each other within a clock: evaluated all at once, they would form
 //! a cycle.
 
-use tilewright_hdl::ir::{MemoryId, Module, Node, NodeId, Op};
+use tilewright_circuit::ir::{MemoryId, Module, Node, NodeId, Op};
 
 use super::flatten::{self, Body, Flatten};
 use super::{Axis, Cell, Kind, ValueId};

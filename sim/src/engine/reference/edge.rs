@@ -1,7 +1,7 @@
 //! An instant at which clocks rise: everything samples, then everything changes.
 
-use tilewright_hdl::ir::ReadUnderWrite;
-use tilewright_hdl::top_mask;
+use tilewright_circuit::ir::ReadUnderWrite;
+use tilewright_circuit::top_mask;
 
 use super::Engine;
 use crate::engine::Word;

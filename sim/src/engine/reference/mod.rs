@@ -7,7 +7,7 @@ mod edge;
 use std::ops::Range;
 use std::sync::Arc;
 
-use tilewright_hdl::limbs_for;
+use tilewright_circuit::limbs_for;
 
 use crate::engine::program::{Kind, Memory, Program, Triggers, ValueId};
 use crate::engine::semantics::{self, Number};

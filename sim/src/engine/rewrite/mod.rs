@@ -8,8 +8,8 @@ mod rebuild;
 mod rules;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::ir::Relation;
-use tilewright_hdl::{Bits, Loc};
+use tilewright_circuit::ir::Relation;
+use tilewright_circuit::{Bits, Loc};
 
 use crate::engine::Passes;
 use crate::engine::program::{Cell, Circuit, Kind, Program, ValueId};

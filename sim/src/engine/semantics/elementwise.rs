@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
-use tilewright_hdl::top_mask;
+use tilewright_circuit::ir::{Binary, Relation, Shift, Unary};
+use tilewright_circuit::top_mask;
 
 use super::Number;
 use crate::engine::program::{Kind, Lowered, ValueId};

@@ -1,7 +1,7 @@
 //! The result of one lane of an operation across lanes.
 
-use tilewright_hdl::ir::Reduction;
-use tilewright_hdl::top_mask;
+use tilewright_circuit::ir::Reduction;
+use tilewright_circuit::top_mask;
 
 use super::Number;
 use crate::engine::program::{Cell, Kind, Lowered, ValueId};

@@ -7,7 +7,8 @@ mod run;
 
 use std::fmt;
 
-use tilewright_hdl::{Bits, Block, Bundle, DEFAULT_PERIOD, DefaultClock, Design};
+use tilewright_circuit::{Bits, DefaultClock, Design};
+use tilewright_hdl::{Block, Bundle, DEFAULT_PERIOD};
 
 use crate::engine::EngineKind;
 use crate::engine::Passes;

@@ -1,6 +1,7 @@
 //! Values inside the runs of a batch.
 
-use tilewright_hdl::{Bits, Bundle};
+use tilewright_circuit::Bits;
+use tilewright_hdl::Bundle;
 
 use super::Batch;
 use crate::testbench::error::UnknownName;

@@ -1,6 +1,7 @@
 //! Inputs and outputs of the runs of a batch.
 
-use tilewright_hdl::{Bits, Bundle, Leaf};
+use tilewright_circuit::Bits;
+use tilewright_hdl::{Bundle, Leaf};
 
 use super::Batch;
 use crate::testbench::port::{IntoValue, Port};

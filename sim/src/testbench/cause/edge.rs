@@ -1,7 +1,7 @@
 //! What an edge does to a register, read data or a word of a memory, and what decides that.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::ReadUnderWrite;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::ReadUnderWrite;
 
 use super::mask;
 use super::operation::{Asked, Demand, Place, demands};

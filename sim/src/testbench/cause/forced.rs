@@ -1,6 +1,6 @@
 //! States with other values, for tests: what is no cause of a value may be anything.
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use super::mask;
 use super::names::Names;

@@ -1,8 +1,8 @@
 //! The operands that decide some bits of an operation's result: the rules for operations across lanes and for reads of
 //! memories.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Reduction;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Reduction;
 
 use super::mask;
 use super::operation::{Asked, Demand, at_most};

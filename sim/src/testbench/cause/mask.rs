@@ -1,6 +1,6 @@
 //! Which bits of a value count: sets of bits, as values of the same width.
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use crate::limbs;
 

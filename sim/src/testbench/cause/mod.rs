@@ -16,8 +16,9 @@ mod tree;
 mod values;
 mod walk;
 
-use tilewright_hdl::ir::Kind;
-use tilewright_hdl::{Bits, Bundle, Loc};
+use tilewright_circuit::ir::Kind;
+use tilewright_circuit::{Bits, Loc};
+use tilewright_hdl::Bundle;
 
 use crate::engine::program::Triggers;
 use crate::testbench::attach::Probe;

@@ -1,8 +1,8 @@
 //! The names that the user gave to values and words.
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Kind as Meaning;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Kind as Meaning;
 
 use super::mask;
 use super::operation::Place as Part;

@@ -3,8 +3,8 @@
 //! A choice counts its condition and its chosen side; an AND only its zeros, where it has one, and an OR only its
 //! ones. As long as what counts stays, these bits stay, whatever else changes.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Relation, Shift, Unary};
 
 use super::{lanes, mask};
 use crate::engine::program::{Cell, Circuit, Kind, ValueId};

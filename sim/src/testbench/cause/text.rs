@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use super::{Cause, End, mask};
 use crate::testbench::trace::WaveRadix;

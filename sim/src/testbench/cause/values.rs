@@ -5,7 +5,7 @@
 use std::cell::RefCell;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::{Bits, limbs_for};
+use tilewright_circuit::{Bits, limbs_for};
 
 use crate::engine::program::{Kind, Program, ValueId};
 use crate::engine::semantics::{self, Number};

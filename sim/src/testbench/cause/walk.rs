@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::{Bits, DEFAULT_PERIOD};
+use tilewright_circuit::Bits;
+use tilewright_hdl::DEFAULT_PERIOD;
 
 use super::edge::Outcome;
 use super::names::Names;

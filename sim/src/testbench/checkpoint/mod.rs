@@ -6,8 +6,9 @@ use std::fmt;
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::ir::Shape;
-use tilewright_hdl::{Bits, Bundle};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Shape;
+use tilewright_hdl::Bundle;
 
 use crate::engine::program::Program;
 use crate::engine::program::hierarchy::{self, Role};

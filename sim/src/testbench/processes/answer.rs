@@ -4,7 +4,7 @@ use std::future::Future;
 use std::pin::Pin;
 use std::task::{Context, Poll};
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use super::{Process, Testbench};
 use crate::testbench::port::{IntoValue, Port};

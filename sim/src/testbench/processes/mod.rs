@@ -18,7 +18,8 @@ pub use pauses::Pauses;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use tilewright_hdl::{Bits, Bundle, Loc};
+use tilewright_circuit::{Bits, Loc};
+use tilewright_hdl::Bundle;
 
 use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::running::Running;

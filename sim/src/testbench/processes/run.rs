@@ -2,7 +2,7 @@
 
 use std::task::{Context, Waker};
 
-use tilewright_hdl::Loc;
+use tilewright_circuit::Loc;
 
 use super::{Processes, Testbench};
 use crate::testbench::run::done;

@@ -3,7 +3,8 @@
 use std::fmt::Debug;
 use std::future::Future;
 
-use tilewright_hdl::{Bits, Fields, Leaf, Loc, Stream, Visited};
+use tilewright_circuit::{Bits, Loc};
+use tilewright_hdl::{Fields, Leaf, Stream, Visited};
 
 use super::{Pauses, Testbench};
 use crate::testbench::port::{IntoValue, Port};

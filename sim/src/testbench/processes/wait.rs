@@ -4,7 +4,7 @@ use std::future::Future;
 use std::pin::Pin;
 use std::task::{Context, Poll};
 
-use tilewright_hdl::Loc;
+use tilewright_circuit::Loc;
 
 use super::Testbench;
 use crate::engine::until::Until;

@@ -240,7 +240,7 @@ fn put_end(line: &mut [u8; LINE], at: usize, before: u8, id: Id) -> usize {
 mod tests {
     use proptest::collection::vec;
     use proptest::prelude::*;
-    use tilewright_hdl::{limbs_for, top_mask};
+    use tilewright_circuit::{limbs_for, top_mask};
     use vcd::{Command, Parser, Value};
 
     use super::*;

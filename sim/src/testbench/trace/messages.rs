@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
-use tilewright_hdl::ir::Piece;
+use tilewright_circuit::ir::Piece;
 
 use super::{Observer, View};
 use crate::engine::lane;

@@ -1,7 +1,7 @@
 //! The numbers of a text wave.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Kind;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Kind;
 
 /// The radix of the numbers of a [`Wave`](super::Wave).
 ///

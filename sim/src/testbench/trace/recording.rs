@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, Mutex};
 
-use tilewright_hdl::recording::Step;
-use tilewright_hdl::{Bits, Recording};
+use tilewright_circuit::recording::Step;
+use tilewright_circuit::{Bits, Recording};
 
 use super::{Observer, Start, View};
 use crate::engine::Engine;

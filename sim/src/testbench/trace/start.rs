@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, MutexGuard};
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::recording::Initial;
+use tilewright_circuit::Bits;
+use tilewright_circuit::recording::Initial;
 
 use super::View;
 use crate::engine::Word;

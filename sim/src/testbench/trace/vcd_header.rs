@@ -4,8 +4,8 @@ use std::collections::{BTreeSet, HashMap};
 use std::io;
 use std::ops::Range;
 
-use tilewright_hdl::Reset;
-use tilewright_hdl::ir::Names;
+use tilewright_circuit::Reset;
+use tilewright_circuit::ir::Names;
 use vcd::{ReferenceIndex, ScopeType, TimescaleUnit, VarType, Writer};
 
 use super::changes::Id;

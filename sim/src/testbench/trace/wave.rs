@@ -17,8 +17,8 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard};
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Kind;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Kind;
 
 use super::radix::{WaveRadix, text};
 use super::{Observer, View};

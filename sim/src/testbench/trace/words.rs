@@ -41,7 +41,7 @@ impl Words {
             let memory = &program.memories[word.memory as usize];
             let clocks = memory.writes.iter().map(|write| Triggers::state(write.clock as usize));
             let start = end;
-            end += tilewright_hdl::limbs_for(memory.width);
+            end += tilewright_circuit::limbs_for(memory.width);
             // The first time, all are taken.
             Shown {
                 id,

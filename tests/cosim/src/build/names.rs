@@ -125,9 +125,9 @@ const ENDS: &[&str] = &[
 /// The reserved words of both standards; for ports those of C++ too.
 fn is_reserved(name: &str, kind: Kind) -> bool {
     static VERILOG: LazyLock<HashSet<&str>> =
-        LazyLock::new(|| include_str!("../../../../hdl/src/reserved_words.txt").split_whitespace().collect());
+        LazyLock::new(|| include_str!("../../../../circuit/src/reserved_words.txt").split_whitespace().collect());
     static CPP: LazyLock<HashSet<&str>> =
-        LazyLock::new(|| include_str!("../../../../hdl/src/reserved_cpp.txt").split_whitespace().collect());
+        LazyLock::new(|| include_str!("../../../../circuit/src/reserved_cpp.txt").split_whitespace().collect());
     VERILOG.contains(name) || kind != Kind::Inner && CPP.contains(name)
 }
 

@@ -2,7 +2,7 @@
 
 use super::interval::Range;
 use super::{Ranges, WIDEST};
-use tilewright_hdl::ir::{Binary, NodeId, Op, Relation, Unary};
+use tilewright_circuit::ir::{Binary, NodeId, Op, Relation, Unary};
 
 impl Ranges<'_> {
     /// The range of a node if a condition has the value `so`; `None` if it never has.

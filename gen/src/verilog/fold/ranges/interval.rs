@@ -1,7 +1,7 @@
 //! An interval of values, and the results of operators on it.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::Binary;
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::Binary;
 
 /// The values from `low` to `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,7 +12,7 @@ use crate::verilog::order::operands_first;
 use crate::verilog::reads::can_exceed;
 use interval::Range;
 use std::collections::{BTreeMap, BTreeSet};
-use tilewright_hdl::ir::{Init, Memory, Module, NodeId, Op};
+use tilewright_circuit::ir::{Init, Memory, Module, NodeId, Op};
 
 /// The depth to which nested choices are examined.
 const DEEPEST: u32 = 8;

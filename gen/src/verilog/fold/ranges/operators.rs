@@ -2,7 +2,7 @@
 
 use super::interval::{Range, highest, of_binary};
 use super::{Ranges, WIDEST};
-use tilewright_hdl::ir::{NodeId, Op, Shift, Unary};
+use tilewright_circuit::ir::{NodeId, Op, Shift, Unary};
 
 impl Ranges<'_> {
     /// The range of a node under the assumptions; `None` if these are contradictory.

@@ -3,7 +3,7 @@
 use super::interval::highest;
 use super::*;
 use crate::verilog::fold::fold;
-use tilewright_hdl::ir::{Binary, Relation, Unary};
+use tilewright_circuit::ir::{Binary, Relation, Unary};
 use tilewright_hdl::*;
 
 bundle! {

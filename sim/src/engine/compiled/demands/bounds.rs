@@ -1,8 +1,8 @@
 //! The largest number that a value can be, as far as small operations show it: code selects lanes by number.
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::ir::{Binary, Relation};
-use tilewright_hdl::top_mask;
+use tilewright_circuit::ir::{Binary, Relation};
+use tilewright_circuit::top_mask;
 
 use crate::engine::program::{Circuit, Kind, Lowered, ValueId};
 

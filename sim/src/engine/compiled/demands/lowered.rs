@@ -1,8 +1,8 @@
 //! The requirements of code generation on a lowered function: every operation has code, every operand exists, and the
 //! padding lanes of the last strip change nothing.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Reduction};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Reduction};
 
 use super::bounds::Bounds;
 use super::shapes::{MemoryShape, Shapes};

@@ -7,7 +7,7 @@ mod bounds;
 mod lowered;
 mod shapes;
 
-use tilewright_hdl::limbs_for;
+use tilewright_circuit::limbs_for;
 
 use crate::engine::program::{Kind, Memory, Program};
 pub(super) use lowered::check_lowered;
@@ -64,7 +64,8 @@ fn check_order(program: &Program) {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, def, elaborate};
+    use tilewright_circuit::ReadUnderWrite;
+    use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, def, elaborate};
 
     use super::*;
     use crate::engine::Passes;

@@ -1,7 +1,7 @@
 //! The shapes of operations and of their operands.
 
-use tilewright_hdl::index_width;
-use tilewright_hdl::ir::{Binary, Unary};
+use tilewright_circuit::index_width;
+use tilewright_circuit::ir::{Binary, Unary};
 
 use crate::engine::program::{Axis, Cell, Circuit, Kind, Lowered, Piece, ValueId};
 

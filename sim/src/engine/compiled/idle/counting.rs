@@ -7,7 +7,7 @@
 use std::collections::BTreeSet;
 
 use rustc_hash::FxHashSet;
-use tilewright_hdl::ir::Binary;
+use tilewright_circuit::ir::Binary;
 
 use crate::engine::program::{Kind, Program, ReadPort, Register, ValueId};
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::ir::{Relation, Unary};
+use tilewright_circuit::ir::{Relation, Unary};
 
 use super::COUNTING;
 use super::counting::{self, Counting};

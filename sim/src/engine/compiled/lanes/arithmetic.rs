@@ -1,6 +1,6 @@
 //! Operations on all bits of one or two operands.
 
-use tilewright_hdl::ir::{Binary, Unary};
+use tilewright_circuit::ir::{Binary, Unary};
 
 use super::Lanes;
 use super::emit::{self, low_mask, ty};

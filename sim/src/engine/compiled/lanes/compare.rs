@@ -1,6 +1,6 @@
 //! Comparisons, which result in masks.
 
-use tilewright_hdl::ir::{Binary, Relation, Unary};
+use tilewright_circuit::ir::{Binary, Relation, Unary};
 
 use super::emit::{self, signed_constant};
 use super::form::{Form, Need, Vector};

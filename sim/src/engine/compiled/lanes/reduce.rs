@@ -1,6 +1,6 @@
 //! Lanes combined.
 
-use tilewright_hdl::ir::{Binary, Reduction};
+use tilewright_circuit::ir::{Binary, Reduction};
 
 use super::Lanes;
 use super::emit::{self, low_mask, ty};

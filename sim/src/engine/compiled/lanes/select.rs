@@ -1,6 +1,6 @@
 //! Choices between values.
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use super::Lanes;
 use super::emit::{self, ty};

@@ -1,6 +1,6 @@
 //! Shifts by a variable amount. Cranelift has none with an amount for each lane.
 
-use tilewright_hdl::ir::{Binary, Shift};
+use tilewright_circuit::ir::{Binary, Shift};
 
 use super::emit::{self, low_mask, ty};
 use super::form::{Form, Need, Vector};

@@ -1,6 +1,6 @@
 //! Makes tables of choices between constants, and rotations of the two exchanged parts of a value.
 
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use crate::engine::program::{Cell, Circuit, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;

@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Reduction, Relation};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Reduction, Relation};
 
 use super::super::layout::storage;
 use super::super::strip_sizes::StripSizes;

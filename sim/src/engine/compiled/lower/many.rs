@@ -2,7 +2,7 @@
 //! can be cut between them.
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::Bits;
+use tilewright_circuit::Bits;
 
 use crate::engine::program::{Cell, Kind, Lowered, Piece, ValueId};
 use crate::engine::rewrite::Rewriter;

@@ -1,6 +1,6 @@
 //! Neighbours are loaded from any address, and replaced at the edges of their groups; other maps look up the lane.
 
-use tilewright_hdl::ir::Affine;
+use tilewright_circuit::ir::Affine;
 
 use super::{flags, lanes};
 use crate::engine::program::{Axis, Kind, Lowered, ValueId};

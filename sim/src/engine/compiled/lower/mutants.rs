@@ -2,11 +2,9 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use tilewright_hdl::ir::Binary;
-use tilewright_hdl::{
-    Bits, Module, ReadUnderWrite, bit, bits, block, case, cat, def, elaborate, interleave, limbs_for, lit, row,
-    top_mask,
-};
+use tilewright_circuit::ir::Binary;
+use tilewright_circuit::{Bits, ReadUnderWrite, limbs_for, top_mask};
+use tilewright_hdl::{Module, bit, bits, block, case, cat, def, elaborate, interleave, lit, row};
 
 use super::lower;
 use crate::engine::Passes;
@@ -146,12 +144,15 @@ fn mistakes(function: &Function, cell: &Cell) -> Vec<Kind> {
             vec![Kind::Lane { of, axis, index: (index + 1) % axis.count }, Kind::Lane { of, axis, index: axis.count }]
         }
         Kind::Reduce { by, of, axis } => {
-            let next = if by == tilewright_hdl::ir::Reduction::Or {
-                tilewright_hdl::ir::Reduction::Xor
+            let next = if by == tilewright_circuit::ir::Reduction::Or {
+                tilewright_circuit::ir::Reduction::Xor
             } else {
-                tilewright_hdl::ir::Reduction::Or
+                tilewright_circuit::ir::Reduction::Or
             };
-            vec![Kind::Reduce { by: next, of, axis }, Kind::Reduce { by: tilewright_hdl::ir::Reduction::Max, of, axis }]
+            vec![
+                Kind::Reduce { by: next, of, axis },
+                Kind::Reduce { by: tilewright_circuit::ir::Reduction::Max, of, axis },
+            ]
         }
         Kind::Lowered(Lowered::Gather { of, at }) => {
             let other = like(of).map(|of| lowered(Lowered::Gather { of, at }));

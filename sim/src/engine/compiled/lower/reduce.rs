@@ -1,7 +1,7 @@
 //! Reductions, along the last axis, of existing lanes.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Reduction, Relation};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Reduction, Relation};
 
 use super::super::strip_sizes::StripSizes;
 use super::{flags, lanes};

@@ -10,7 +10,7 @@ mod narrow;
 mod wide;
 
 use rustc_hash::FxHashMap;
-use tilewright_hdl::{Bits, limbs_for};
+use tilewright_circuit::{Bits, limbs_for};
 
 use super::store::is_mask;
 use crate::engine::program::{Kind, ValueId};
@@ -171,7 +171,7 @@ impl Scalars {
         if scalar.bound <= scalar.width {
             return integer;
         }
-        let mask = b.constant(Type::I64, tilewright_hdl::top_mask(scalar.width) as i64);
+        let mask = b.constant(Type::I64, tilewright_circuit::top_mask(scalar.width) as i64);
         let clean = b.and(integer, mask);
         (scalar.integer, scalar.bound) = (Some(clean), scalar.width);
         clean

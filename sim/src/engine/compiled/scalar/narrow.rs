@@ -1,7 +1,7 @@
 //! Operations on values of up to 64 bits.
 
-use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
-use tilewright_hdl::{Bits, top_mask};
+use tilewright_circuit::ir::{Binary, Relation, Shift, Unary};
+use tilewright_circuit::{Bits, top_mask};
 
 use super::{Scalar, Scalars};
 use crate::engine::program::{Kind, ValueId};

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashSet;
-use tilewright_hdl::ir::Binary;
-use tilewright_hdl::limbs_for;
+use tilewright_circuit::ir::Binary;
+use tilewright_circuit::limbs_for;
 
 use super::{LONGEST, Scalar, Scalars};
 use crate::engine::compiled::emitter::offset;

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use tilewright_hdl::ir::Binary;
+use tilewright_circuit::ir::Binary;
 
 use crate::engine::compiled::function::{self, Became, Function, Sink};
 use crate::engine::program::{Cell, Kind, Memory, Program, UnitId, ValueId};

@@ -1,6 +1,6 @@
 //! Operations on constants.
 
-use tilewright_hdl::{Bits, limbs_for};
+use tilewright_circuit::{Bits, limbs_for};
 
 use super::super::{Rewrite, Rewriter};
 use crate::engine::program::{Cell, Kind};

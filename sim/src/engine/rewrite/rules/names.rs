@@ -1,7 +1,7 @@
 //! Aliases, and axes of one lane, which engines cannot execute.
 
 use super::super::{Rewrite, Rewriter};
-use tilewright_hdl::ir::Affine;
+use tilewright_circuit::ir::Affine;
 
 use crate::engine::program::{Axis, Cell, Kind, ValueId};
 

@@ -1,7 +1,7 @@
 //! Operations on a value and itself.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Relation};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Relation};
 
 use super::super::{Rewrite, Rewriter};
 use crate::engine::program::{Cell, Kind};

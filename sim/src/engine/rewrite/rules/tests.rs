@@ -1,7 +1,7 @@
 //! The effect of each rule on the smallest circuit to which it applies.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
 
 use super::super::Rewriter;
 use crate::engine::Passes;

@@ -3,8 +3,8 @@
 //! The bits that count are enough: whatever the others are, the bit in question stays. And they matter: other values
 //! of them alone change it, unless another part decides it as well, as a second zero of an AND of many bits does.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
 
 use crate::engine::program::{Axis, Cell, Circuit, Kind, ValueId};
 use crate::engine::semantics::{self, Number};

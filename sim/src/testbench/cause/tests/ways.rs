@@ -1,6 +1,7 @@
 //! Ways back through the clocks of small circuits.
 
-use tilewright_hdl::{Clock, Module, Period, ReadUnderWrite, bit, bits, block, def, mux};
+use tilewright_circuit::{Clock, Period, ReadUnderWrite};
+use tilewright_hdl::{Module, bit, bits, block, def, mux};
 
 use crate::testbench::cause::{Cause, End, Limits};
 use crate::{EngineKind, Error, Simulation, Vcd};

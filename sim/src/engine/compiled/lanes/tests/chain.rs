@@ -1,7 +1,7 @@
 //! Chains of random operations, and their expected results.
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Binary, Relation, Shift, Unary};
 
 use super::super::Lanes;
 use super::super::emit::low_mask;

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Reduction, Shift, Unary};
+use tilewright_circuit::Bits;
+use tilewright_circuit::ir::{Reduction, Shift, Unary};
 
 mod chain;
 

@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::super::{ClockLine, Row};
 use super::escaped;
 use super::layout::{Block, DIGIT, HEXAGON, HIGH, Line, tenths};
-use tilewright_hdl::ir::Kind;
+use tilewright_circuit::ir::Kind;
 
 /// How far a slope goes to both sides of its time, and how far the end of a hexagon reaches.
 const SLOPE: f64 = 1.5;

@@ -16,15 +16,18 @@ mod display;
 mod foreign;
 mod ids;
 mod kind;
-pub(crate) mod latency;
+#[doc(hidden)]
+pub mod latency;
 mod memory;
 mod op;
+mod pads;
 mod ports;
 mod property;
 mod register;
 mod shape;
 mod state;
 mod validate;
+mod words;
 
 use crate::loc::Loc;
 use std::collections::BTreeMap;
@@ -87,7 +90,7 @@ pub struct Module {
     pub foreign: Option<Foreign>,
     /// Whether that model is missing, and the outputs are zeros in its place.
     pub unmodelled: bool,
-    /// Whether it is a [`Pad`](crate::Pad): a model of an `inout` port of the top.
+    /// Whether it is a `Pad`: a model of an `inout` port of the top.
     pub is_pad: bool,
 }
 

@@ -2,7 +2,7 @@
 
 /// The strongly connected components of `0..count` that have several vertices or an edge to themselves, each sorted:
 /// the vertices that can reach themselves.
-pub(crate) fn cyclic_components(edges: &Edges) -> Vec<Vec<u32>> {
+pub fn cyclic_components(edges: &Edges) -> Vec<Vec<u32>> {
     let mut found = Vec::new();
     components(edges, |component| {
         if is_cyclic(edges, component) {
@@ -16,13 +16,13 @@ pub(crate) fn cyclic_components(edges: &Edges) -> Vec<Vec<u32>> {
 }
 
 /// Whether the vertices of a component reach themselves.
-pub(crate) fn is_cyclic(edges: &Edges, component: &[u32]) -> bool {
+pub fn is_cyclic(edges: &Edges, component: &[u32]) -> bool {
     component.len() > 1 || edges.of(component[0]).contains(&component[0])
 }
 
 /// Calls `visit` with each strongly connected component, after all components that it has edges to (Tarjan's
 /// algorithm with an explicit stack).
-pub(crate) fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
+pub fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
     const NEW: u32 = u32::MAX;
     let count = edges.count();
     let (mut index, mut low, mut on_stack) = (vec![NEW; count], vec![0; count], vec![false; count]);
@@ -62,7 +62,7 @@ pub(crate) fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
 }
 
 /// The vertices in topological order, targets first, except within cycles.
-pub(crate) fn targets_first(edges: &Edges) -> Vec<u32> {
+pub fn targets_first(edges: &Edges) -> Vec<u32> {
     let (mut order, mut begun, mut work) = (Vec::new(), vec![false; edges.count()], Vec::new());
     for root in 0..edges.count() as u32 {
         work.push((root, 0));
@@ -83,7 +83,7 @@ pub(crate) fn targets_first(edges: &Edges) -> Vec<u32> {
 }
 
 /// A shortest cycle through `start` within `component`, which is sorted.
-pub(crate) fn cycle_through(edges: &Edges, component: &[u32], start: u32) -> Vec<u32> {
+pub fn cycle_through(edges: &Edges, component: &[u32], start: u32) -> Vec<u32> {
     let place = |vertex: u32| component.binary_search(&vertex).ok();
     let mut from = vec![None; component.len()];
     let mut queue = std::collections::VecDeque::from([start]);
@@ -110,7 +110,7 @@ pub(crate) fn cycle_through(edges: &Edges, component: &[u32], start: u32) -> Vec
 }
 
 /// For each vertex, the targets of its edges, all in one list.
-pub(crate) struct Edges {
+pub struct Edges {
     starts: Vec<u32>,
     targets: Vec<u32>,
 }
@@ -137,7 +137,7 @@ impl Edges {
 
 /// A set of small numbers for each vertex.
 #[derive(Clone)]
-pub(crate) struct Sets {
+pub struct Sets {
     words: usize,
     bits: Vec<u64>,
 }

@@ -12,11 +12,11 @@ mod ports;
 mod size;
 
 use super::{ClockId, Module, NodeId, Shape};
-use crate::circuit::Circuit;
 use crate::loc::Loc;
 use crate::mistake::Mistake;
+use crate::names::bits_text;
+use crate::netlist::Netlist;
 use crate::problem::Problem;
-use crate::signal::bits_text;
 use std::fmt;
 
 /// Every violated rule in these modules; the last module is the top.

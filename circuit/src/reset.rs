@@ -1,6 +1,6 @@
 //! How a clock resets its registers.
 
-/// How a clock resets the registers that have a [reset value](crate::Reg::reset). The kind of reset belongs to the
+/// How a clock resets the registers that have a reset value. The kind of reset belongs to the
 /// clock. So all registers on the clock share it, and blocks never name it.
 ///
 /// - A **synchronous** reset takes effect at the clock edges at which it is active.
@@ -88,14 +88,16 @@ impl Reset {
     }
 
     /// The name of the reset's port, for a named clock or for the default clock.
-    pub(crate) fn port(self, clock: Option<&str>) -> Option<String> {
+    #[doc(hidden)]
+    pub fn port(self, clock: Option<&str>) -> Option<String> {
         let port = if self.is_active_low() { "rst_n" } else { "rst" };
         let port = clock.map_or(port.to_owned(), |clock| format!("{clock}_{port}"));
         self.has_port().then_some(port)
     }
 
     /// In the words of a message.
-    pub(crate) fn words(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn words(self) -> &'static str {
         match self {
             Reset::Synchronous => "a synchronous reset",
             Reset::SynchronousLow => "an active-low synchronous reset",
@@ -106,7 +108,8 @@ impl Reset {
     }
 
     /// The ending of a module's name if its own clock resets in this way and the top's does not.
-    pub(crate) fn suffix(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn suffix(self) -> &'static str {
         match self {
             Reset::Synchronous => "synchronous",
             Reset::SynchronousLow => "synchronous_low",

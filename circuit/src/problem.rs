@@ -46,16 +46,19 @@ pub struct Problem {
 }
 
 impl Problem {
-    pub(crate) fn new(mistake: Mistake, loc: Loc, message: impl Into<String>) -> Problem {
+    #[doc(hidden)]
+    pub fn new(mistake: Mistake, loc: Loc, message: impl Into<String>) -> Problem {
         Problem { mistake, message: message.into(), loc, notes: Vec::new(), help: String::new() }
     }
 
-    pub(crate) fn note(mut self, what: impl Into<String>, loc: Loc) -> Problem {
+    #[doc(hidden)]
+    pub fn note(mut self, what: impl Into<String>, loc: Loc) -> Problem {
         self.notes.push((what.into(), loc));
         self
     }
 
-    pub(crate) fn help(mut self, help: impl Into<String>) -> Problem {
+    #[doc(hidden)]
+    pub fn help(mut self, help: impl Into<String>) -> Problem {
         self.help = help.into();
         self
     }

@@ -39,7 +39,8 @@ pub enum Edge {
 
 impl Edge {
     /// In the words of a message.
-    pub(crate) fn words(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn words(self) -> &'static str {
         match self {
             Edge::Rising => "acts on its rising edge",
             Edge::Falling => "acts on its falling edge",
@@ -47,7 +48,8 @@ impl Edge {
     }
 
     /// The ending of a module's name if its own clock has this edge and the top's has not.
-    pub(crate) fn suffix(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn suffix(self) -> &'static str {
         match self {
             Edge::Rising => "rising",
             Edge::Falling => "falling",

@@ -1,7 +1,5 @@
 //! A value of a known width: the value of a signal at one moment.
 
-use crate::integers::for_integers;
-use crate::operand::{Literal, Operand, Value};
 use crate::radix::Radix;
 use std::cmp::Ordering;
 use std::fmt;
@@ -79,6 +77,27 @@ pub const fn limbs_for(width: u32) -> usize {
 /// ```
 pub const fn top_mask(width: u32) -> u64 {
     u64::MAX >> (width.wrapping_neg() % 64)
+}
+
+/// The width of an index into `count` things, enough for every number below `count`; at least 1.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// const PAGE: u32 = index_width(12);
+/// assert_eq!(PAGE, 4);
+/// // One thing needs no index, but no signal has 0 bits.
+/// assert_eq!((index_width(1), index_width(2), index_width(3)), (1, 1, 2));
+/// ```
+pub const fn index_width(count: u64) -> u32 {
+    width_below(count as u128)
+}
+
+#[doc(hidden)]
+pub const fn width_below(count: u128) -> u32 {
+    match count {
+        0..=2 => 1,
+        _ => 128 - (count - 1).leading_zeros(),
+    }
 }
 
 impl Bits {
@@ -363,12 +382,6 @@ impl From<bool> for Bits {
     }
 }
 
-impl Operand for Bits {
-    fn operand(self) -> Value {
-        Value::Literal(Literal::Exact(self))
-    }
-}
-
 macro_rules! equals_integer {
     ($($ty:ty)*) => {$(
         /// Equal as an unsigned number; a negative number is compared in two's complement of the width.
@@ -384,7 +397,7 @@ macro_rules! equals_integer {
         }
     )*};
 }
-for_integers!(equals_integer);
+equals_integer! { i8 i16 i32 i64 i128 isize u8 u16 u32 u64 usize }
 
 /// Equal to 0 or 1.
 impl PartialEq<bool> for Bits {

@@ -1,14 +1,14 @@
 //! Combinational loops, lane by lane: a chain from lane to lane is a loop only if it returns to the same lane.
 
-use crate::circuit::Circuit;
 use crate::graph::{Edges, cycle_through, cyclic_components};
 use crate::ir::{NodeId, Op};
+use crate::netlist::Netlist;
 use crate::summary::{self, Summary};
 use std::collections::BTreeMap;
 
 /// Finds a loop through the lanes of these mutually dependent nodes. The result lists each node with its lane, in the
 /// direction in which values flow.
-pub(super) fn find(circuit: &impl Circuit, summaries: &[Summary], component: &[u32]) -> Option<Vec<(NodeId, u32)>> {
+pub(crate) fn find(circuit: &impl Netlist, summaries: &[Summary], component: &[u32]) -> Option<Vec<(NodeId, u32)>> {
     let lanes = Lanes::new(circuit, summaries, component);
     let edges = lanes.edges();
     let loops = cyclic_components(&edges);
@@ -35,7 +35,7 @@ struct Lanes<'a, C> {
     count: u32,
 }
 
-impl<'a, C: Circuit> Lanes<'a, C> {
+impl<'a, C: Netlist> Lanes<'a, C> {
     fn new(circuit: &'a C, summaries: &'a [Summary], component: &[u32]) -> Lanes<'a, C> {
         let (firsts, first, ports) = (Vec::new(), BTreeMap::new(), BTreeMap::new());
         let mut lanes = Lanes { circuit, summaries, firsts, first, ports, count: 0 };

@@ -4,8 +4,8 @@ use super::{Named, Needs, Rules};
 use crate::ir::{Binary, InstanceId, Kind, Names, Node, NodeId, Op, RegisterId, Unary};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
+use crate::names::bits_text;
 use crate::names::is_legal;
-use crate::signal::bits_text;
 use std::collections::HashSet;
 
 impl Rules<'_> {

@@ -2,16 +2,16 @@
 
 use super::{Needs, Rules};
 use crate::bits::Bits;
+use crate::bits::index_width;
 use crate::ir::{
     Attribute, Contents, Directive, Init, Kind, Memory, MemoryId, Node, NodeId, Op, Piece, ReadUnderWrite, RegisterId,
     Shape,
 };
 use crate::limits::WIDEST;
 use crate::loc::Loc;
+use crate::names::bits_text;
 use crate::names::{is_legal, is_reserved};
 use crate::reset::Reset;
-use crate::signal::bits_text;
-use crate::width::index_width;
 use std::fmt;
 
 impl<'a> Rules<'a> {

@@ -1,16 +1,16 @@
 //! Combinational loops: through values, through instances, and lane by lane for values with lanes.
 
-use super::lane_loops;
-use crate::circuit::Circuit;
 use crate::graph::{Edges, cycle_through, cyclic_components};
 use crate::ir::{NodeId, Shape};
+use crate::lane_loops;
 use crate::limits::MOST_LOOPED_LANES;
 use crate::mistake::Mistake;
+use crate::netlist::Netlist;
 use crate::problem::Problem;
 use crate::summary::{self, Summary};
 
 /// Reports every loop, and returns whether there is none.
-pub(crate) fn check(circuit: &impl Circuit, summaries: &[Summary], problems: &mut Vec<Problem>) -> bool {
+pub fn check(circuit: &impl Netlist, summaries: &[Summary], problems: &mut Vec<Problem>) -> bool {
     let edges = summary::combinational_edges(circuit, summaries);
     let before = problems.len();
     let components = cyclic_components(&edges);
@@ -31,14 +31,14 @@ pub(crate) fn check(circuit: &impl Circuit, summaries: &[Summary], problems: &mu
     problems.len() == before
 }
 
-fn node_loop(circuit: &impl Circuit, edges: &Edges, component: &[u32]) -> Problem {
+fn node_loop(circuit: &impl Netlist, edges: &Edges, component: &[u32]) -> Problem {
     // Operands point backwards: the reverse of the cycle is the direction in which values flow.
     let mut hops: Vec<_> = cycle_through(edges, component, first_named(circuit, component));
     hops[1..].reverse();
     report(circuit, hops.into_iter().map(|node| (NodeId(node), 0)).collect())
 }
 
-fn too_many(circuit: &impl Circuit, component: &[u32], lanes: u64) -> Problem {
+fn too_many(circuit: &impl Netlist, component: &[u32], lanes: u64) -> Problem {
     let node = NodeId(first_named(circuit, component));
     let (title, text) = (circuit.title(), circuit.describe(node));
     let message = format!(
@@ -50,12 +50,12 @@ fn too_many(circuit: &impl Circuit, component: &[u32], lanes: u64) -> Problem {
 }
 
 /// The node that begins the message: one that the user named, if possible.
-fn first_named(circuit: &impl Circuit, component: &[u32]) -> u32 {
+fn first_named(circuit: &impl Netlist, component: &[u32]) -> u32 {
     *component.iter().find(|node| circuit.node(NodeId(**node)).name.is_some()).unwrap_or(&component[0])
 }
 
 /// Reports a loop. `hops` are nodes in the direction in which values flow, each with one of its lanes.
-fn report(circuit: &impl Circuit, hops: Vec<(NodeId, u32)>) -> Problem {
+fn report(circuit: &impl Netlist, hops: Vec<(NodeId, u32)>) -> Problem {
     let text = |(node, lane): &(NodeId, u32)| {
         let lane = match circuit.node(*node).shape {
             Shape::Plain => String::new(),

@@ -64,7 +64,8 @@ impl Design {
 }
 
 /// The latency of a module whose outputs have these delays.
-pub(crate) fn latency(module: &Module, delays: &[Delay]) -> Option<Latency> {
+#[doc(hidden)]
+pub fn latency(module: &Module, delays: &[Delay]) -> Option<Latency> {
     match delays.iter().fold(Delay::Nothing, |all, one| all.or(*one)) {
         Delay::Clocks { clocks, gate } => {
             let enable = if let Gate::Input(input) = gate { Some(&module.inputs[input as usize].name) } else { None };
@@ -76,7 +77,8 @@ pub(crate) fn latency(module: &Module, delays: &[Delay]) -> Option<Latency> {
 
 /// The time from an input to a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Delay {
+#[doc(hidden)]
+pub enum Delay {
     /// The value depends on no input.
     Nothing,
     /// This number of clocks.
@@ -87,7 +89,8 @@ pub(crate) enum Delay {
 
 /// The clocks that a delay counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Gate {
+#[doc(hidden)]
+pub enum Gate {
     /// All clocks.
     Always,
     /// Those in which this input is high.
@@ -122,7 +125,8 @@ impl Delay {
 }
 
 /// The delay of each output of a module; those of its children are known.
-pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Delay> {
+#[doc(hidden)]
+pub fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Delay> {
     if module.clocks.len() > 1 {
         return vec![Delay::Several; module.outputs.len()];
     }

@@ -75,7 +75,8 @@ pub enum Directive {
 
 impl Directive {
     /// The property in messages.
-    pub(crate) fn noun(self) -> &'static str {
+    #[doc(hidden)]
+    pub fn noun(self) -> &'static str {
         match self {
             Directive::Assert => "an assertion",
             Directive::Assume => "an assumption",

@@ -90,7 +90,8 @@ impl Names {
 
 impl Kind {
     /// Its shift to the right.
-    pub(crate) fn right_shift(self) -> Shift {
+    #[doc(hidden)]
+    pub fn right_shift(self) -> Shift {
         if self == Kind::Signed { Shift::RightSigned } else { Shift::Right }
     }
 

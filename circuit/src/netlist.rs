@@ -1,10 +1,9 @@
 //! The common interface of a module under construction and a finished one, for walks over the graph.
 
-use crate::draft::Draft;
 use crate::ir::{Input, Instance, MemoryId, Module, Node, NodeId, ReadPort};
 
 /// A graph of nodes with its inputs, memories and instances.
-pub(crate) trait Circuit {
+pub trait Netlist {
     /// The module's name for messages.
     fn title(&self) -> &str;
     fn nodes(&self) -> &[Node];
@@ -19,33 +18,7 @@ pub(crate) trait Circuit {
     }
 }
 
-impl Circuit for Draft {
-    fn title(&self) -> &str {
-        self.block
-    }
-
-    fn nodes(&self) -> &[Node] {
-        &self.nodes
-    }
-
-    fn inputs(&self) -> &[Input] {
-        &self.inputs
-    }
-
-    fn instances(&self) -> &[Instance] {
-        &self.instances
-    }
-
-    fn read(&self, memory: MemoryId, port: u32) -> &ReadPort {
-        &self.memories[memory.0 as usize].memory.reads[port as usize]
-    }
-
-    fn describe(&self, id: NodeId) -> String {
-        Draft::describe(self, id)
-    }
-}
-
-impl Circuit for Module {
+impl Netlist for Module {
     fn title(&self) -> &str {
         &self.name
     }

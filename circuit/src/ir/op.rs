@@ -340,7 +340,8 @@ pub enum Op {
 impl Op {
     /// Whether the node is its operands, a constant or the state of a register, without logic except for an
     /// inversion.
-    pub(crate) fn is_wiring(&self) -> bool {
+    #[doc(hidden)]
+    pub fn is_wiring(&self) -> bool {
         matches!(
             self,
             Op::Const(_)
