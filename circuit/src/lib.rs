@@ -15,6 +15,8 @@ pub mod graph;
 pub mod ir;
 mod lane_loops;
 #[doc(hidden)]
+pub mod limbs;
+#[doc(hidden)]
 pub mod limits;
 mod loc;
 #[doc(hidden)]

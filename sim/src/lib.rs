@@ -201,7 +201,6 @@
 //! ```
 
 mod engine;
-mod limbs;
 mod testbench;
 
 /// The value of a port, as [`Simulation::get`] returns it.

@@ -18,6 +18,7 @@ mod ids;
 mod kind;
 #[doc(hidden)]
 pub mod latency;
+mod meaning;
 mod memory;
 mod op;
 mod pads;
@@ -39,6 +40,8 @@ pub use foreign::{Foreign, Parameter};
 pub use ids::{ClockId, InstanceId, MemoryId, ModuleId, NodeId, RegisterId};
 pub use kind::{Kind, Names};
 pub use latency::Latency;
+#[doc(hidden)]
+pub use meaning::Number;
 pub use memory::{Contents, Memory, ReadPort, ReadUnderWrite, WritePort};
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 pub use ports::{Clock, Input, Output};

@@ -4,7 +4,7 @@ use tilewright_circuit::Bits;
 use tilewright_circuit::ir::Relation;
 
 use crate::engine::program::ValueId;
-use crate::limbs;
+use tilewright_circuit::limbs;
 
 /// The comparison of a value with a number, both unsigned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -17,7 +17,7 @@ pub(super) const WIDEST_SIGNED_PRODUCT: u32 = 512;
 impl Fold {
     pub(super) fn unary(&self, unary: Unary, a: NodeId) -> Outcome {
         match self.constant(a) {
-            Some(value) => Is(Op::Const(constant::unary(unary, &value))),
+            Some(value) => Is(Op::Const(unary.apply(&value))),
             None if unary != Unary::Not && self.width(a) == 1 => Same(a),
             None => match self.module.node(a) {
                 Node { op: Op::Unary(Unary::Not, inner), name: None, .. } if unary == Unary::Not => Same(*inner),
@@ -78,7 +78,7 @@ impl Fold {
         let is = |value: &Option<Bits>, what: &Bits| value.as_ref() == Some(what);
         let (left, right) = (self.constant(a), self.constant(b));
         if let (Some(left), Some(right)) = (&left, &right) {
-            return truth(constant::compare(relation, signed, left, right));
+            return truth(relation.holds(signed, left, right));
         }
         if a == b {
             return truth(matches!(relation, Relation::Eq | Relation::Le | Relation::Ge));

@@ -1,11 +1,9 @@
 //! The result of one lane of an operation across lanes.
 
-use tilewright_circuit::ir::Reduction;
-use tilewright_circuit::top_mask;
+use tilewright_circuit::limbs;
 
 use super::Number;
 use crate::engine::program::{Cell, Kind, Lowered, ValueId};
-use crate::limbs;
 
 /// Computes one lane of a cell that is not elementwise into `out`.
 pub(super) fn evaluate<'a>(cell: &Cell, lane: u32, out: &mut [u64], at: impl Fn(ValueId, u32) -> Number<'a>) {
@@ -21,7 +19,7 @@ pub(super) fn evaluate<'a>(cell: &Cell, lane: u32, out: &mut [u64], at: impl Fn(
         },
         Kind::Reduce { by, of, axis } => {
             out.copy_from_slice(at(*of, axis.at(lane, 0)).limbs);
-            (1..axis.count).for_each(|number| combine(*by, width, out, at(*of, axis.at(lane, number)).limbs));
+            (1..axis.count).for_each(|number| by.combine(width, out, at(*of, axis.at(lane, number)).limbs));
         }
         Kind::Pack { of, axis } => {
             out.fill(0);
@@ -43,25 +41,5 @@ pub(super) fn evaluate<'a>(cell: &Cell, lane: u32, out: &mut [u64], at: impl Fn(
             out.copy_from_slice(at(*of, from).limbs);
         }
         _ => unreachable!("not computed from values: {cell:?}"),
-    }
-}
-
-/// Combines `out` with another lane.
-fn combine(by: Reduction, width: u32, out: &mut [u64], lane: &[u64]) {
-    let bitwise = |combine: fn(u64, u64) -> u64, out: &mut [u64]| {
-        out.iter_mut().zip(lane).for_each(|(out, lane)| *out = combine(*out, *lane));
-    };
-    match by {
-        Reduction::And => bitwise(|a, b| a & b, out),
-        Reduction::Or => bitwise(|a, b| a | b, out),
-        Reduction::Xor => bitwise(|a, b| a ^ b, out),
-        Reduction::Min if limbs::compare(lane, out).is_lt() => out.copy_from_slice(lane),
-        Reduction::Max if limbs::compare(lane, out).is_gt() => out.copy_from_slice(lane),
-        Reduction::Min | Reduction::Max => {}
-        Reduction::Add => {
-            let sum = out.to_vec();
-            limbs::add(out, &sum, lane, false);
-            *out.last_mut().expect("a value has a limb") &= top_mask(width);
-        }
     }
 }

@@ -1,17 +1,12 @@
-//! The meaning of each operation. There is no second definition: the reference engine and constant folding use it,
-//! and generated code is compared with it.
+//! The meaning of each cell, by that of operations in the circuit. There is no second definition: the reference engine
+//! and constant folding use it, and generated code is compared with it.
 
 mod elementwise;
 mod lanes;
 
-use crate::engine::program::{Cell, Kind, Lowered, ValueId};
+pub(crate) use tilewright_circuit::ir::Number;
 
-/// An operand in one lane; the bits above the width are zero.
-#[derive(Clone, Copy)]
-pub(crate) struct Number<'a> {
-    pub limbs: &'a [u64],
-    pub width: u32,
-}
+use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 
 /// Computes one lane of a cell into `out`, which has the limbs of its width; `operand` returns a lane of a value.
 ///

@@ -2,7 +2,7 @@
 
 use tilewright_circuit::Bits;
 
-use crate::limbs;
+use tilewright_circuit::limbs;
 
 /// No bits.
 pub(super) fn none(width: u32) -> Bits {

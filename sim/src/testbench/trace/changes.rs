@@ -289,8 +289,8 @@ mod tests {
         match new {
             New::Bit(high) => Command::ChangeScalar(variable, Value::from(*high)),
             New::Bits(width, limbs) => {
-                let highest = (0..*width).rev().find(|&bit| crate::limbs::bit(limbs, bit)).unwrap_or(0);
-                let digits = (0..=highest).rev().map(|bit| Value::from(crate::limbs::bit(limbs, bit)));
+                let highest = (0..*width).rev().find(|&bit| tilewright_circuit::limbs::bit(limbs, bit)).unwrap_or(0);
+                let digits = (0..=highest).rev().map(|bit| Value::from(tilewright_circuit::limbs::bit(limbs, bit)));
                 Command::ChangeVector(variable, digits.collect::<Vec<_>>().into())
             }
             New::State(name) => Command::ChangeString(variable, name.clone()),

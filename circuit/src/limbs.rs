@@ -4,7 +4,8 @@
 use std::cmp::Ordering;
 
 /// `a + b`, or `a - b`.
-pub(crate) fn add(out: &mut [u64], a: &[u64], b: &[u64], subtract: bool) {
+#[inline]
+pub fn add(out: &mut [u64], a: &[u64], b: &[u64], subtract: bool) {
     let flip = if subtract { u64::MAX } else { 0 };
     let mut carry = subtract;
     for (out, (a, b)) in out.iter_mut().zip(a.iter().zip(b)) {
@@ -15,7 +16,8 @@ pub(crate) fn add(out: &mut [u64], a: &[u64], b: &[u64], subtract: bool) {
 }
 
 /// `a * b` modulo the size of `out`, both unsigned.
-pub(crate) fn multiply(out: &mut [u64], a: &[u64], b: &[u64]) {
+#[inline]
+pub fn multiply(out: &mut [u64], a: &[u64], b: &[u64]) {
     out.fill(0);
     for (i, &a) in a.iter().enumerate() {
         let mut carry = 0;
@@ -30,17 +32,20 @@ pub(crate) fn multiply(out: &mut [u64], a: &[u64], b: &[u64]) {
 }
 
 /// `a` compared with `b`, with equal numbers of limbs, unsigned.
-pub(crate) fn compare(a: &[u64], b: &[u64]) -> Ordering {
+#[inline]
+pub fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.iter().rev().cmp(b.iter().rev())
 }
 
 /// Bit `index`.
-pub(crate) fn bit(a: &[u64], index: u32) -> bool {
+#[inline]
+pub fn bit(a: &[u64], index: u32) -> bool {
     a[index as usize / 64] >> (index % 64) & 1 == 1
 }
 
 /// Copies bits `from .. from + count` of `a` to bits `to ..` of `out`, which must be zero there.
-pub(crate) fn copy(out: &mut [u64], to: u32, a: &[u64], from: u32, count: u32) {
+#[inline]
+pub fn copy(out: &mut [u64], to: u32, a: &[u64], from: u32, count: u32) {
     let mut done = 0;
     while done < count {
         let (source, target) = (from + done, to + done);
@@ -52,7 +57,8 @@ pub(crate) fn copy(out: &mut [u64], to: u32, a: &[u64], from: u32, count: u32) {
 }
 
 /// Sets bits `from .. to`.
-pub(crate) fn set(out: &mut [u64], from: u32, to: u32) {
+#[inline]
+pub fn set(out: &mut [u64], from: u32, to: u32) {
     let mut at = from;
     while at < to {
         let step = (to - at).min(64 - at % 64);
