@@ -148,7 +148,7 @@ fn make(scene: &Scene, shelf: &Shelf<Asked, Made>, asked: Asked, stop: &AtomicBo
                 let sentence = format!("the way of the pixel has {} steps", known.way.steps.len());
                 return Err(Failure::new(Exit::BadInput, sentence));
             };
-            Made::Moment(Arc::new(moment(&scene, machine, step, stop)?))
+            Made::Moment(Arc::new(moment(&scene, machine, (pixel, step), stop)?))
         }
     })
 }

@@ -4,36 +4,46 @@ use super::nets::Net;
 use super::recorded::{Recorded, Shown, drawn, module_at, source, written};
 use crate::block::entries;
 use crate::engine::EngineArguments;
-use crate::machine::{Machine, Run, Viewed, Visitor, signals_of, times_around, unit_and_name, visit};
+use crate::machine::{Job, Machine, Run, Viewed, Visitor, signals_of, times_around, unit_and_name, visit};
 use crate::shell::output::Waveform;
 use crate::shell::{Exit, Failure, progress};
 use crate::trace::TraceOptions;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use tilewright_hdl::Design;
-use tilewright_machines::Step;
+use tilewright_machines::{Apart, Follower, Step, Tracer};
 use tilewright_scenes::Scene;
+
+/// The most lanes of a net of a unit that is simulated by itself: an array of pixels has tens of thousands, and a page does not list them.
+const MOST_LANES: usize = 64;
+
+const LEFT_OUT: &str = ". Each net has its first 64 lanes here";
 
 /// The block of a step.
 pub enum Moment {
-    /// The machine's own unit, in a waveform around the step.
+    /// The machine's own unit, in a waveform around the step of a pixel.
     Recorded { step: Step, unit: Vec<String>, recorded: Box<Recorded> },
     /// The block alone.
     Alone(Value),
 }
 
-/// The block at that step of a scene on a machine. Where the machine is simulated as a whole it draws again, and stops soon after `cancel`
-/// becomes true.
+/// The block at that step of a pixel's way through a machine. The machine draws again, and stops soon after `cancel` becomes true.
 ///
 /// # Errors
 /// The machine cannot draw the scene, or it was stopped.
-pub fn moment(scene: &Scene, machine: Machine, step: &Step, cancel: &AtomicBool) -> Result<Moment, Failure> {
-    visit(scene, machine, Asked { machine, step, cancel })
+pub fn moment(
+    scene: &Scene,
+    machine: Machine,
+    (pixel, step): ([u32; 2], &Step),
+    cancel: &AtomicBool,
+) -> Result<Moment, Failure> {
+    visit(scene, machine, Asked { pixel, step, cancel })
 }
 
 struct Asked<'a> {
-    machine: Machine,
+    pixel: [u32; 2],
     step: &'a Step,
     cancel: &'a AtomicBool,
 }
@@ -42,11 +52,12 @@ impl Visitor for Asked<'_> {
     type Output = Moment;
 
     fn visit(self, job: &impl Viewed) -> Result<Moment, Failure> {
-        let Asked { machine, step, cancel } = self;
-        let machine = machine.name();
+        let Asked { step, cancel, .. } = self;
+        if let Some(apart) = &step.apart {
+            return self.recorded_apart(job, apart);
+        }
         let Some(design) = job.design()? else {
-            let why = format!("each unit of {machine} is simulated separately, so there is no wave of it in a frame");
-            return alone(step, &why);
+            return alone(step, "no unit is simulated for this step, so there is no wave of it");
         };
         let Some((unit, name)) = unit_and_name(step) else {
             return alone(step, "this step is about no net, so there is no wave of it");
@@ -63,14 +74,47 @@ impl Visitor for Asked<'_> {
                 cancel: Some(cancel),
                 ..Run::new(EngineArguments::default(), &filters)
             };
-            // A run that fails as the first one did has its waveform.
-            match job.render(&run).map(|_| ()) {
-                Err(failure) if failure.exit != Exit::CheckFailed => Err(failure),
-                _ => Ok(()),
-            }
+            ended(job.render(&run))
         })?;
         let recorded = Box::new(Recorded::new(design, vcd, &unit));
         Ok(Moment::Recorded { step: step.clone(), unit, recorded })
+    }
+}
+
+impl Asked<'_> {
+    /// The unit of a machine that simulates its units one by one.
+    fn recorded_apart(&self, job: &impl Job, apart: &Apart) -> Result<Moment, Failure> {
+        let unit = unit_and_name(self.step).map(|(unit, _)| unit).unwrap_or_default();
+        let filters = TraceOptions::of(vec![signals_of(&unit)], times_around(self.step));
+        progress::phase("building");
+        let mut design = None;
+        let vcd = written(|file| {
+            let tracer = Tracer::new(apart, filters.trace(&Waveform::temporary(file))?);
+            let (follower, none) = (Follower::new(self.pixel), TraceOptions::default());
+            let run = Run {
+                tracer: Some(&tracer),
+                // It is followed again, as a machine with a fault may not end otherwise.
+                follower: Some(&follower),
+                cancel: Some(self.cancel),
+                ..Run::new(EngineArguments::default(), &none)
+            };
+            ended(job.render(&run))?;
+            design = tracer.design();
+            Ok(())
+        })?;
+        let Some(design) = design.filter(|design| module_at(design, &unit).is_some()) else {
+            return alone(self.step, "the circuit has no such unit, so there is no wave of it");
+        };
+        let recorded = Box::new(Recorded::new(design, vcd, &unit));
+        Ok(Moment::Recorded { step: self.step.clone(), unit, recorded })
+    }
+}
+
+/// A run that fails as the first one did has its waveform.
+fn ended<T>(rendered: Result<T, Failure>) -> Result<(), Failure> {
+    match rendered {
+        Err(failure) if failure.exit != Exit::CheckFailed => Err(failure),
+        _ => Ok(()),
     }
 }
 
@@ -134,16 +178,69 @@ impl Moment {
             Moment::Alone(value) => Ok((number == 0).then(|| value.clone())),
             Moment::Recorded { step, unit, recorded } => {
                 let Some(mut shown) = recorded.unit(number)? else { return Ok(None) };
+                let edge = step.apart.as_ref().map_or(step.time, |apart| apart.time);
                 // What the unit saw at the edge of the step stands before it.
-                let before = shown.times.iter().rposition(|time| *time < step.time).unwrap_or(0);
+                let before = shown.times.iter().rposition(|time| *time < edge).unwrap_or(0);
                 shown.step = Some(before);
-                if recorded.has_one_clock(number) && shown.times.get(before + 1) == Some(&step.time) {
-                    shown.first = step.cycle.saturating_sub(before as u64 + 1);
+                if recorded.has_one_clock(number) && shown.times.get(before + 1) == Some(&edge) {
+                    let cycle = if step.apart.is_some() { own_cycle(&shown.times, edge) } else { step.cycle };
+                    shown.first = cycle.saturating_sub(before as u64 + 1);
                 }
                 let name = unit_and_name(step).map(|(_, name)| name).filter(|_| number == 0);
                 shown.nets.iter_mut().for_each(|net| net.asked = Some(net.name.as_str()) == name);
-                Ok(Some(json!({ "note": null, "path": unit.join("."), "unit": shown })))
+                let note = step.apart.as_ref().map(|apart| {
+                    let more = if keep_first_lanes(&mut shown.nets) { LEFT_OUT } else { "" };
+                    of_itself(apart) + more
+                });
+                let path = unit.join(".");
+                Ok(Some(json!({ "note": note, "path": path, "unit": shown })))
             }
         }
+    }
+}
+
+/// Leaves out lanes of each net beyond the first [`MOST_LANES`], but not one that is asked about. Returns whether there were any.
+fn keep_first_lanes(nets: &mut Vec<Net>) -> bool {
+    let (all, mut lanes) = (nets.len(), BTreeMap::<String, usize>::new());
+    nets.retain(|net| {
+        let Some((name, _)) = net.name.split_once('[') else { return true };
+        let count = lanes.entry(name.to_owned()).or_default();
+        *count += 1;
+        *count <= MOST_LANES || net.asked
+    });
+    nets.len() < all
+}
+
+/// The clock of an edge as a unit that is simulated by itself counts it: from the begin of its simulation.
+fn own_cycle(times: &[u64], edge: u64) -> u64 {
+    // The first time is the begin of the waveform, and not an edge.
+    times.get(1..).and_then(|edges| edges.windows(2).next()).map_or(0, |edges| edge / (edges[1] - edges[0]))
+}
+
+/// Says whose clocks those of such a unit are.
+fn of_itself(Apart { unit, time }: &Apart) -> String {
+    format!("{unit} is simulated by itself: these clocks are of its own time, which has the step at {time} ps")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_lanes_and_the_asked_one_are_kept() {
+        let net = |name: String| Net {
+            asked: name == "word[99]",
+            name,
+            width: 1,
+            source: None,
+            port: false,
+            changes: Vec::new(),
+        };
+        let mut nets: Vec<Net> =
+            (0..100).map(|lane| net(format!("word[{lane}]"))).chain([net("sum".to_owned())]).collect();
+        assert!(keep_first_lanes(&mut nets));
+        let names: Vec<&str> = nets.iter().map(|net| net.name.as_str()).collect();
+        assert_eq!((names.len(), &names[63..]), (66, &["word[63]", "word[99]", "sum"][..]));
+        assert!(!keep_first_lanes(&mut nets[..64].iter().map(|it| net(it.name.clone())).collect()));
     }
 }

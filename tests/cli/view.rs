@@ -154,13 +154,13 @@ fn units_inside_of_a_block_are_served() {
     assert_eq!(served.stop("INT").code, Some(0));
 }
 
-/// The way is that of `why`, and a step of it has its unit in a wave around the step where the machine is simulated as a whole.
+/// The way is that of `why`, and a step of it has its unit in a wave around the step, in the unit's own time where units are simulated one by one.
 #[test]
 fn a_pixel_and_its_steps_are_served() {
     let folder = Folder::with_pyramid();
     let served = Served::start(&folder, "pyramid.obj --size 32x24 --machine quadtree --quiet");
     let pixel = "turn=0&x=16&y=12";
-    for machine in ["vc1", "quadtree", "pixel-planes-5"] {
+    for machine in ["vc1", "quadtree", "pixel-planes-5", "pixelflow"] {
         let (status, way) = served.data(&format!("way/{machine}?{pixel}"));
         let told = folder.json(&format!("why pyramid.obj --size 32x24 --machine {machine} --pixel 16,12 --json"));
         assert_eq!((status, &way["identical"], &way["failed"]), (200, &true.into(), &serde_json::Value::Null));
@@ -175,13 +175,24 @@ fn a_pixel_and_its_steps_are_served() {
         assert_eq!((status, asked.len(), &asked[0]["name"]), (200, 1, &name.into()), "{machine}");
         assert!(asked[0]["source"].as_str().unwrap().starts_with("rtl/src/"), "{moment}");
         let (times, place) = (unit["times"].as_array().unwrap(), unit["step"].as_u64().unwrap() as usize);
-        if machine == "pixel-planes-5" {
-            assert!(moment["note"].as_str().unwrap().contains("each unit of pixel-planes-5 is simulated separately"));
-            assert_eq!(times.len(), 1);
-            continue;
-        }
+        let (edge, apart) = (&step["picoseconds"], &step["simulation"]);
+        let edge = if apart.is_null() { edge } else { &apart["picoseconds"] };
         // The cursor stands where the unit has what it sees at the edge of the step.
-        assert_eq!((&moment["path"], &times[place + 1]), (&path.into(), &step["picoseconds"]), "{machine}");
+        assert_eq!((&moment["path"], &times[place + 1]), (&path.into(), edge), "{machine}");
+        if let Some(simulated) = apart["unit"].as_str() {
+            let note = format!(
+                "{simulated} is simulated by itself: these clocks are of its own time, which has the step at {edge} ps"
+            );
+            assert_eq!(moment["note"], note);
+            let own = unit["first"].as_u64().unwrap() + place as u64 + 1;
+            let period = times[place + 1].as_u64().unwrap() - times[place].as_u64().unwrap();
+            assert_eq!(own * period, edge.as_u64().unwrap(), "{machine}");
+            assert!(unit["diagram"].as_str().unwrap().starts_with("<svg"), "{machine}");
+            // A step that no unit does has none.
+            let last = steps.len() - 1;
+            let (_, none) = served.data(&format!("moment/{machine}?{pixel}&step={last}&unit=0"));
+            assert_eq!(none["note"], "no unit is simulated for this step, so there is no wave of it", "{machine}");
+        }
         if machine == "vc1" {
             // The image memory has the old word still.
             let changes = asked[0]["changes"].as_array().unwrap();

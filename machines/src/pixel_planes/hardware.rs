@@ -57,7 +57,7 @@ impl Course<'_> {
         sim.set(sim.o.planes.ready, false);
         sim.try_reset()?;
         if let Some(tracer) = tracer {
-            tracer.attach(&following::renderer(self.number), &mut sim)?;
+            tracer.attach(&following::renderer(self.number), (renderer, PERIOD), &mut sim)?;
         }
 
         let instructions: Vec<&Instruction<u64>> = self.regions.iter().flat_map(|(_, program)| *program).collect();
@@ -195,8 +195,8 @@ impl Frames {
     }
 
     /// Begins a waveform of it, if it is traced.
-    pub fn trace(&mut self, tracer: &Tracer) -> Result<(), Error> {
-        tracer.attach(following::FRAME_BUFFER, &mut self.sim)
+    pub fn trace(&mut self, tracer: &Tracer, frame_buffer: &FrameBuffer) -> Result<(), Error> {
+        tracer.attach(following::FRAME_BUFFER, (frame_buffer, PERIOD), &mut self.sim)
     }
 
     /// Writes the planes of a line to their place; each takes a clock. A followed pixel is looked at, with the clock of the last plane.

@@ -284,9 +284,10 @@ impl Machine {
         }
         lines.sort_unstable();
         let mut sent: Vec<_> = sent.into_iter().map(Vec::into_iter).collect();
-        let mut frames = Frames::new(&self.config.frame_buffer()?, self.engine)?;
+        let frame_buffer = self.config.frame_buffer()?;
+        let mut frames = Frames::new(&frame_buffer, self.engine)?;
         if let Some(tracer) = &self.tracer {
-            frames.trace(tracer)?;
+            frames.trace(tracer, &frame_buffer)?;
         }
         for (clock, number, region, line) in lines {
             let last = clock + word as u64 - 1;

@@ -49,8 +49,8 @@ impl Beside {
     pub fn trace(&mut self, tracer: &Tracer, of: &str) -> Result<(), Error> {
         match self {
             Beside::Nobody => Ok(()),
-            Beside::Texture(texture) => tracer.attach(&texture_unit_of(of), &mut texture.unit.sim),
-            Beside::Store(store) => tracer.attach(FRAME_BUFFER, &mut store.unit.sim),
+            Beside::Texture(texture) => texture.trace(tracer, &texture_unit_of(of)),
+            Beside::Store(store) => store.trace(tracer, FRAME_BUFFER),
         }
     }
 

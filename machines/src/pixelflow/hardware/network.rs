@@ -15,6 +15,7 @@ use crate::tracer::Tracer;
 /// One direction of the network.
 pub(in crate::pixelflow) struct Way {
     sim: Simulation<NetworkIn, NetworkOut>,
+    network: Network,
     nodes: usize,
     chips: u32,
     /// Pixels of a chip.
@@ -26,15 +27,15 @@ pub(in crate::pixelflow) struct Way {
 impl Way {
     /// A network of that number of nodes.
     pub fn new(array: &PixelArray, nodes: usize, engine: EngineKind) -> Result<Way, Error> {
-        let port = array.network_port();
-        let mut sim = Simulation::at(&Network { nodes: nodes as u32, port }, TRANSFER)?.on(engine);
+        let network = Network { nodes: nodes as u32, port: array.network_port() };
+        let mut sim = Simulation::at(&network, TRANSFER)?.on(engine);
         for node in sim.i.nodes.clone() {
             sim.set(node.mode, Mode::Forward as u64);
             sim.set(node.sends, false);
             sim.set(node.first, false);
         }
         sim.try_reset()?;
-        Ok(Way { sim, nodes, chips: array.chips(), pixels: array.pixels() as usize, observer: None })
+        Ok(Way { sim, network, nodes, chips: array.chips(), pixels: array.pixels() as usize, observer: None })
     }
 
     /// Begins a waveform of it, if the simulation of that number is traced.
@@ -42,7 +43,7 @@ impl Way {
     /// # Errors
     /// [`Error::Simulation`].
     pub fn trace(&mut self, tracer: &Tracer, number: usize) -> Result<(), Error> {
-        tracer.attach(&following::network(number), &mut self.sim)
+        tracer.attach(&following::network(number), (&self.network, TRANSFER), &mut self.sim)
     }
 
     /// Sends words from the first node that has some to a node after all of these; the others compose. Returns the words at that node.

@@ -1,7 +1,7 @@
 //! The simulated frame buffer, beside the array whose registers it reads.
 
 use tilewright_rtl::pixelflow::ARRAY;
-use tilewright_rtl::pixelflow::frame_buffer::{FrameBufferIn, FrameBufferOut};
+use tilewright_rtl::pixelflow::frame_buffer::{FrameBuffer, FrameBufferIn, FrameBufferOut};
 use tilewright_rtl::pixelflow::registers::PortAccess;
 use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
@@ -9,9 +9,11 @@ use super::observed::Observed;
 use crate::error::Error;
 use crate::pixelflow::following::{Observer, StoreObserver};
 use crate::pixelflow::works::Works;
+use crate::tracer::Tracer;
 
 /// A frame buffer.
 pub(in crate::pixelflow) struct FrameStore {
+    block: FrameBuffer,
     pub unit: Observed<FrameBufferIn, FrameBufferOut, StoreObserver>,
     pixels: usize,
 }
@@ -22,11 +24,20 @@ impl FrameStore {
     /// # Errors
     /// [`Error::Parameter`]: as [`Works::frame_buffer`]; [`Error::Simulation`].
     pub fn new(works: &Works, engine: EngineKind) -> Result<FrameStore, Error> {
-        let mut sim = Simulation::at(&works.frame_buffer()?, ARRAY.period)?.on(engine);
+        let block = works.frame_buffer()?;
+        let mut sim = Simulation::at(&block, ARRAY.period)?.on(engine);
         sim.set(sim.i.start, false);
         sim.set(sim.o.pixels.ready, false);
         sim.try_reset()?;
-        Ok(FrameStore { unit: Observed::new(sim), pixels: works.size().pixels() })
+        Ok(FrameStore { block, unit: Observed::new(sim), pixels: works.size().pixels() })
+    }
+
+    /// Begins a waveform of it, if the unit of that name is traced.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn trace(&mut self, tracer: &Tracer, name: &str) -> Result<(), Error> {
+        tracer.attach(name, (&self.block, ARRAY.period), &mut self.unit.sim)
     }
 
     /// Simulates a clock, before that of the array whose registers it reads. Returns whether it has finished.

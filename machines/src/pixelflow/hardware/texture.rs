@@ -12,9 +12,11 @@ use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 use super::observed::Observed;
 use crate::error::Error;
 use crate::pixelflow::following::TextureObserver;
+use crate::tracer::Tracer;
 
 /// A texture unit with textures in its memory.
 pub(in crate::pixelflow) struct TextureLookUp {
+    block: TextureUnit,
     pub unit: Observed<TextureUnitIn, TextureUnitOut, TextureObserver>,
 }
 
@@ -38,19 +40,27 @@ impl TextureLookUp {
         let size: u64 = textures.clone().map(|texture| TextureMemory::size(texture.level())).sum();
         let count = textures.len() as u32;
         let memory = TextureMemory { texels: (size as u32).max(2), textures: count.max(2) };
-        let unit = TextureUnit { chips: array.chips(), pixels: array.pixels(), memory };
-        let mut sim = Simulation::at(&unit, ARRAY.period)?.on(engine);
+        let block = TextureUnit { chips: array.chips(), pixels: array.pixels(), memory };
+        let mut sim = Simulation::at(&block, ARRAY.period)?.on(engine);
         for port in [sim.i.start, sim.i.write.valid, sim.i.describe.valid] {
             sim.set(port, false);
         }
         sim.try_reset()?;
-        let mut unit = TextureLookUp { unit: Observed::new(sim) };
+        let mut unit = TextureLookUp { block, unit: Observed::new(sim) };
         let mut base = 0;
         for (number, texture) in textures.enumerate() {
             unit.write(number as u64, base, texture)?;
             base += TextureMemory::size(texture.level());
         }
         Ok(unit)
+    }
+
+    /// Begins a waveform of it, if the unit of that name is traced.
+    ///
+    /// # Errors
+    /// [`Error::Simulation`].
+    pub fn trace(&mut self, tracer: &Tracer, name: &str) -> Result<(), Error> {
+        tracer.attach(name, (&self.block, ARRAY.period), &mut self.unit.sim)
     }
 
     fn write(&mut self, number: u64, base: u64, texture: &Texture) -> Result<(), Error> {

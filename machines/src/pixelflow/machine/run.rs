@@ -122,8 +122,9 @@ impl<'a> Run<'a> {
     /// [`Error::Simulation`].
     pub fn trace(&mut self, tracer: &Tracer) -> Result<(), Error> {
         let shaders = self.shaders.iter_mut().map(|shader| &mut shader.node);
+        let array = self.config.pixels()?;
         let mut nodes = self.rasterizers.iter_mut().chain(shaders).chain([&mut self.holder.node]);
-        nodes.try_for_each(|node| node.trace(tracer))?;
+        nodes.try_for_each(|node| node.trace(tracer, &array))?;
         (1..).zip(&mut self.ways).try_for_each(|(number, way)| way.trace(tracer, number))
     }
 

@@ -1,5 +1,8 @@
 //! A node with a pixel that is followed.
 
+use tilewright_hdl::DEFAULT_PERIOD;
+use tilewright_rtl::pixelflow::array::PixelArray;
+
 use super::{Beside, Node, Ticks};
 use crate::error::Error;
 use crate::pixelflow::following::{ArrayObserver, Found, StoreObserver, TextureObserver};
@@ -29,8 +32,8 @@ impl Node {
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn trace(&mut self, tracer: &Tracer) -> Result<(), Error> {
-        tracer.attach(&self.name, &mut self.sim)?;
+    pub fn trace(&mut self, tracer: &Tracer, array: &PixelArray) -> Result<(), Error> {
+        tracer.attach(&self.name, (array, DEFAULT_PERIOD), &mut self.sim)?;
         self.beside.trace(tracer, &self.name)
     }
 
