@@ -4,7 +4,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use tilewright_hdl::ir::Module;
 use tilewright_hdl::{Design, Loc};
-use vcd::{Command, Header, IdCode, Parser, Scope, ScopeItem, Value, VarType};
+use vcd::{Command, Header, IdCode, Parser, Scope, ScopeItem, ScopeType, Value, VarType};
 
 /// A net, and its values.
 #[derive(Debug, PartialEq, Serialize)]
@@ -75,7 +75,8 @@ pub fn scope<'a>(header: &'a Header, path: &[String]) -> Option<&'a Scope> {
     path.iter().try_fold(top, |scope, name| {
         let found = scopes(&scope.items).find(|it| it.identifier == *name)?;
         // Lanes of an array have a scope of their own, as a loop of the Verilog does.
-        let lane = scopes(&found.items).find(|it| it.identifier == "lane").filter(|_| name.ends_with(']'));
+        let lane =
+            scopes(&found.items).find(|it| it.identifier == "lane").filter(|_| found.scope_type == ScopeType::Begin);
         Some(lane.unwrap_or(found))
     })
 }

@@ -167,6 +167,13 @@ fn a_pixel_and_its_steps_are_served() {
         assert_eq!((&way["steps"], &way["primitives"]), (&told["steps"], &told["primitives"]), "{machine}");
         let steps = way["steps"].as_array().unwrap();
         let number = steps.iter().rposition(|step| !step["primitive"].is_null() && !step["net"].is_null()).unwrap();
+        // A unit of an array without a number, and a lane of a net.
+        for block in ["compositor", "linear-evaluator"].iter().filter(|_| machine == "pixelflow") {
+            let number = steps.iter().position(|step| step["block"] == *block).unwrap();
+            let moment = served.data(&format!("moment/{machine}?{pixel}&step={number}&unit=0")).1;
+            let nets = moment["unit"]["nets"].as_array().unwrap();
+            assert!(nets.iter().any(|net| net["asked"] == true), "{block}: {}", steps[number]);
+        }
         let step = &steps[number];
         let (status, moment) = served.data(&format!("moment/{machine}?{pixel}&step={number}&unit=0"));
         let unit = &moment["unit"];

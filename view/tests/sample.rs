@@ -145,7 +145,7 @@ impl Columns {
                 (unit["times"], unit["units"], unit["first"], unit["step"]) =
                     (json!([325_000]), json!([]), 13.into(), 0.into());
                 unit["nets"] = json!([{ "name": "sum", "width": 8, "port": true, "asked": true, "source": "src/pair.rs:12", "changes": [[0, "5"]] }]);
-                json!({ "note": "each unit is simulated separately, so there is no wave", "unit": unit })
+                json!({ "note": "no unit is simulated for this step, so there is no wave of it", "unit": unit })
             }
             _ => return Answer::Refused("there is no such unit".to_owned()),
         };

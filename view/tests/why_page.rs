@@ -147,7 +147,7 @@ fn a_step_opens_its_block_at_that_clock() {
     // One without a wave says why.
     tab.click(".steps tr:nth-child(1) .look");
     tab.until("moment.circuit?.data?.times.length === 1");
-    assert_eq!(tab.text("#moment-note"), "Each unit is simulated separately, so there is no wave.");
+    assert_eq!(tab.text("#moment-note"), "No unit is simulated for this step, so there is no wave of it.");
     assert_eq!(tab.value("[moment.circuit.waves.hidden, moment.circuit.deck.hidden]"), json!([true, true]));
     assert_eq!(tab.value("document.querySelector('#moment .of-net').textContent"), "5");
     no_faults(&mut tab, "moment-alone");

@@ -70,7 +70,8 @@ impl Pictured {
         let shown = |word: u64| format!("{word:012x}");
         let values = vec![compared("word", shown(seen), shown(right))];
         if came.is_some() || seen != right {
-            let step = self.unit.step_at("word", clock, None, "writes the pixel's word", values);
+            let net = format!("word[{}]", self.column);
+            let step = self.unit.step_at(&net, clock, None, "writes the pixel's word", values);
             self.told.tell(step);
         }
     }
@@ -80,8 +81,8 @@ impl Pictured {
         let seen = words[self.column];
         let right = self.word.unwrap_or(0);
         let [seen, right] = [seen, right].map(|word| format!("{word:012x}"));
-        let step =
-            self.unit.step_at("words", clock, None, "reads the pixel's word", vec![compared("word", seen, right)]);
+        let (net, values) = (format!("words[{}]", self.column), vec![compared("word", seen, right)]);
+        let step = self.unit.step_at(&net, clock, None, "reads the pixel's word", values);
         self.told.tell(step);
     }
 

@@ -26,6 +26,8 @@ pub(in crate::pixelflow) struct StoreObserver {
     region: usize,
     shown: usize,
     unit: Unit,
+    /// What the buffer sees of the pixel's chip.
+    seen: String,
     looks: Looks,
     clock: Option<u64>,
     regions: usize,
@@ -38,7 +40,8 @@ impl StoreObserver {
     pub fn new(buffer: &FrameBuffer, place: Place, region: usize, shown: usize) -> StoreObserver {
         let mut looks = Looks::default();
         looks.add("", PORT);
-        looks.add("", [format!("seen[{}]", place.chip).as_str()]);
+        let seen = format!("seen[{}]", place.chip);
+        looks.add("", [seen.as_str()]);
         let is_one = buffer.samples == 1;
         let side = if is_one { 1 } else { 4 };
         StoreObserver {
@@ -56,6 +59,7 @@ impl StoreObserver {
                 CLOCK,
                 "",
             ),
+            seen,
             looks,
             clock: None,
             regions: 0,
@@ -83,7 +87,7 @@ impl StoreObserver {
             let [blue, green, red] = self.sums.map(|sum| (sum + half) / self.samples);
             self.colour = Some([red, green, blue]);
             let values = vec![value("colour", format!("{red:02x}{green:02x}{blue:02x}"))];
-            self.told.tell(self.unit.step_at("seen", self.tick / 2, None, "takes the pixel's colour", values));
+            self.told.tell(self.unit.step_at(&self.seen, self.tick / 2, None, "takes the pixel's colour", values));
         }
     }
 

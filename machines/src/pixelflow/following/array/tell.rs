@@ -30,7 +30,8 @@ impl ArrayObserver {
             return;
         }
         let values = vec![value("register", address), compared("byte", format!("{seen:02x}"), format!("{right:02x}"))];
-        let step = Step { time: tick * 5000, ..it.unit.step_at("seen", tick / 2, None, does, values) };
+        let net = format!("seen[{}]", self.place.chip);
+        let step = Step { time: tick * 5000, ..it.unit.step_at(&net, tick / 2, None, does, values) };
         self.told.tell(step);
     }
 
@@ -48,7 +49,7 @@ impl ArrayObserver {
         };
         let seen = hex(&|at| sim.word(memory, at as u32).to_u64().unwrap_or(0));
         let values = vec![compared("word", seen, hex(&|at| it.bytes[at].into()))];
-        let step = it.unit.step_at("seen", tick / 2, None, does, values);
+        let step = it.unit.step_at(&format!("seen[{}]", self.place.chip), tick / 2, None, does, values);
         self.told.tell(Step { time: tick * 5000, ..step });
     }
 
@@ -113,13 +114,9 @@ impl ArrayObserver {
         if taken.is_expression() && changes {
             let Some([seen, right]) = self.seen.back() else { return };
             let [seen, right] = [seen, right].map(|byte| if byte & 0x80 == 0 { "inside" } else { "outside" });
-            let step = self.units[1].step_at(
-                "value",
-                clock,
-                primitive,
-                "evaluates an edge",
-                vec![compared("sign", seen, right)],
-            );
+            let net = format!("value[{}][{}]", self.place.chip, self.place.pixel);
+            let values = vec![compared("sign", seen, right)];
+            let step = self.units[1].step_at(&net, clock, primitive, "evaluates an edge", values);
             self.told.tell(step);
         }
         if let Some(primitive) = primitive {
