@@ -21,8 +21,6 @@ pub struct Top {
     pub about: &'static str,
     /// The board's FPGA.
     pub device: Device,
-    /// What nextpnr is told beside the device.
-    pub options: &'static [&'static str],
     /// The program that loads a bitstream onto the board, with its arguments before the file.
     pub loader: &'static str,
     /// The board's pins, as [`Pins::read`] takes them.
@@ -40,7 +38,6 @@ pub const TOPS: &[Top] = &[
         board: "ulx3s",
         about: "a chessboard with moving bars",
         device: Device::LFE5U_85F,
-        options: &[],
         loader: ulx3s::LOADER,
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
@@ -51,7 +48,6 @@ pub const TOPS: &[Top] = &[
         board: "ulx3s",
         about: "the VC-1 with six local frame buffers, which draws a turning star",
         device: Device::LFE5U_85F,
-        options: &[],
         loader: ulx3s::LOADER,
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
@@ -62,8 +58,6 @@ pub const TOPS: &[Top] = &[
         board: "ulx3s",
         about: "the quadtree generator with 4 x 4 video processors, which draws a turning teapot",
         device: Device::LFE5U_85F,
-        // The usual router has to take back every second connection that it lays here.
-        options: &["--router", "router2"],
         loader: ulx3s::LOADER,
         pins: ulx3s::PINS,
         dialect: Dialect::Lpf,
@@ -74,7 +68,6 @@ pub const TOPS: &[Top] = &[
         board: "icebreaker",
         about: "the quadtree generator with one video processor, which draws a turning cube",
         device: Device::UP5K,
-        options: &[],
         loader: icebreaker::LOADER,
         pins: icebreaker::PINS,
         dialect: Dialect::Pcf,

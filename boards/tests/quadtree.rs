@@ -4,11 +4,12 @@ use crate::board::{Board, seen, seen_of_pmod};
 use crate::pins;
 use tilewright_blocks::{Scan, VideoTiming};
 use tilewright_boards::quadtree::{
-    OnBoard, QuadtreeOnIcebreaker, QuadtreeOnUlx3s, Step, cube, for_icebreaker, for_ulx3s, quadtree_on_icebreaker,
-    quadtree_on_ulx3s, shown,
+    OnBoard, QuadtreeOnIcebreaker, QuadtreeOnUlx3s, Step, Walk, cube, for_icebreaker, for_ulx3s,
+    quadtree_on_icebreaker, quadtree_on_ulx3s, shown,
 };
 use tilewright_boards::receiver::{Frame, frames, received};
 use tilewright_rtl::parameter::Screen;
+use tilewright_sim::Simulation;
 
 /// A screen of that size, with short blankings.
 fn small(columns: u32, rows: u32) -> VideoTiming {
@@ -40,17 +41,67 @@ fn steps_shown(frames: Vec<Frame>) -> Vec<(Frame, usize)> {
     runs.split_off(1)
 }
 
-#[test]
-fn a_ulx3s_shows_the_golden_pictures_of_a_turning_scene() {
+/// A small machine for a ULX3S, and what it draws.
+fn small_ulx3s() -> (QuadtreeOnUlx3s, Vec<Step>) {
     let OnBoard { mut picture, steps } = for_ulx3s(Screen { width: 32, height: 24 }, &cube(5)).unwrap();
     picture.refreshes = 2;
-    let top = QuadtreeOnUlx3s { picture, timing: small(64, 48) };
-    let frames = frames(&seen(&top, 5 * 8 * clocks(64, 48)));
+    (QuadtreeOnUlx3s { picture, timing: small(64, 48) }, steps)
+}
+
+/// Three steps or more are shown, each twice.
+fn golden_steps(frames: Vec<Frame>, steps: &[Step]) {
     let runs = steps_shown(frames);
     assert!(runs.len() >= 3, "{}", runs.len());
     for (number, (frame, count)) in runs.iter().enumerate() {
         assert!(*frame == on_screen(&steps[number], 2, 3), "step {number}");
         assert!(*count == 2 || number + 1 == runs.len(), "step {number} is shown {count} times");
+    }
+}
+
+#[test]
+fn a_ulx3s_shows_the_golden_pictures_of_a_turning_scene() {
+    let (top, steps) = small_ulx3s();
+    golden_steps(frames(&seen(&top, 5 * 8 * clocks(64, 48))), &steps);
+}
+
+/// The windows of a quadtree of three levels that are visited if these pass.
+fn visited(window: [u64; 3], passes: fn([u64; 3]) -> bool) -> Vec<[u64; 3]> {
+    let [x, y, side] = window;
+    let quarters = [[x, y], [x + side / 2, y], [x, y + side / 2], [x + side / 2, y + side / 2]];
+    let below = quarters.into_iter().flat_map(|[x, y]| match passes(window) && side > 1 {
+        true => visited([x, y, side / 2], passes),
+        false => Vec::new(),
+    });
+    std::iter::once(window).chain(below).collect()
+}
+
+#[test]
+fn a_walk_visits_windows_as_a_recursion_does() {
+    let conditions: [fn([u64; 3]) -> bool; 4] =
+        [|_| true, |_| false, |[x, y, _]| x + y < 5, |[x, y, side]| x + side > 5 && y <= 4];
+    let mut sim = Simulation::of(&Walk { levels: 3 }).unwrap();
+    sim.reset();
+    let o = sim.o;
+    // Each walk begins where the previous one has ended.
+    for passes in conditions {
+        let mut seen = Vec::new();
+        while sim.get_u64(o.ends) == 0 {
+            let [left, top, right, bottom] = [o.left, o.top, o.right, o.bottom].map(|bound| sim.get_u64(bound));
+            let window = [left, top, right - left + 1];
+            let visits = sim.get_u64(o.visits) == 1;
+            if visits {
+                assert_eq!(bottom - top, right - left);
+                assert_eq!(sim.get_u64(o.is_leaf) == 1, left == right);
+                seen.push(window);
+            }
+            sim.set(sim.i.passes, u64::from(visits && passes(window)));
+            sim.set(sim.i.fails, u64::from(visits && !passes(window)));
+            sim.step();
+            sim.set(sim.i.passes, 0);
+            sim.set(sim.i.fails, 0);
+        }
+        assert_eq!(seen, visited([0, 0, 8], passes));
+        sim.step();
     }
 }
 

@@ -17,8 +17,6 @@ use tilewright_hdl::Design;
 /// What is made, and by which programs.
 pub struct Task {
     pub device: Device,
-    /// What nextpnr is told beside the device.
-    options: &'static [&'static str],
     pub family: Family,
     pub programs: Programs,
     packer: Program,
@@ -70,7 +68,7 @@ impl Task {
         let (device, family) = (top.device, family(top.device.target()));
         let programs = Programs::find(device)?;
         let packer = packer(family.packer)?;
-        Ok(Task { device, options: top.options, family, programs, packer, seed, netlist })
+        Ok(Task { device, family, programs, packer, seed, netlist })
     }
 
     /// Makes the bitstream of a design from its files, of which the last one has the constraints.
@@ -145,8 +143,7 @@ impl Task {
         let number = seed.to_string();
         let own = ["--json", SYNTHESIZED, option, constraints, configuration, CONFIGURATION];
         let how = ["--report", TIMING, "--seed", &number, "--timing-allow-fail"];
-        let options = self.device.options().iter().chain(self.options).copied();
-        let arguments = options.chain(own).chain(how).map(str::to_owned);
+        let arguments = self.device.options().iter().copied().chain(own).chain(how).map(str::to_owned);
         let mut rows = Vec::new();
         let nextpnr = &self.programs.nextpnr;
         let ended = nextpnr.run(space.path(), &arguments.collect::<Vec<_>>(), NEXTPNR_LOG, |log| {

@@ -3,12 +3,32 @@
 use tilewright_hdl::{Clock, Module, ReadUnderWrite, Signal, Stream, below, bit, block, cat, def, lit, row, up_to};
 use tilewright_rtl::quadtree::banks::Banks;
 use tilewright_rtl::quadtree::controller::Show;
+use tilewright_rtl::quadtree::format::Format;
 use tilewright_rtl::quadtree::generator::{Probe, QuadtreeGenerator, QuadtreeGeneratorIn};
 
+use super::compact::{CompactGenerator, CompactGeneratorIn, LanePlayer, LanePlayerIn, Lanes};
 use super::host::{Host, HostIn};
 use super::player::{Player, PlayerIn};
 use super::store::Store;
 use crate::picture::{Colour, Picture, PictureIn};
+
+/// The machine, and the scene in the memory that feeds it.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Machine {
+    /// That of the paper.
+    Paper(QuadtreeGenerator, Store),
+    /// One of compact video processors.
+    Compact(CompactGenerator, Lanes),
+}
+
+impl Machine {
+    fn format(&self) -> Format {
+        match self {
+            Machine::Paper(generator, _) => generator.format(),
+            Machine::Compact(generator, _) => generator.format,
+        }
+    }
+}
 
 block! {
     /// A quadtree generator that draws a stored turning scene.
@@ -23,10 +43,8 @@ block! {
     ///
     /// While a line is shown, the machine's controller fills the buffer with the next one.
     pub struct QuadtreePicture {
-        /// The machine.
-        pub generator: QuadtreeGenerator,
-        /// The scene.
-        pub store: Store,
+        /// The machine, with the scene.
+        pub machine: Machine,
         /// The colour where nothing is drawn, with the bits of the machine's colours.
         pub background: u64,
         /// How often a step is shown.
@@ -43,7 +61,7 @@ block! {
 
 impl QuadtreePicture {
     fn build(&self, m: Module, i: PictureIn) -> Colour {
-        let format = self.generator.format();
+        let format = self.machine.format();
         let (p, colour, screen) = (format.matrix().columns(), format.precision().colour, format.screen());
 
         // The screen tells the machine when a frame ends, and when it can fill the other line of the buffer.
@@ -102,28 +120,37 @@ impl QuadtreePicture {
 
     /// The machine with its host and player: the pixels of the picture that is shown.
     fn machine(&self, m: Module, retrace: Signal) -> Stream {
-        let format = self.generator.format();
+        let format = self.machine.format();
         let unknown = if format.banks() == Banks::Spram { 2 } else { 0 };
         def!(drawn = m.wire(bit()));
         let host = Host { refreshes: self.refreshes, unknown };
         def!(host = m.instance(&host, HostIn { retrace, drawn: *drawn }));
-        let player = Player { format, store: self.store.clone() };
-        def!(player = m.instance(&player, PlayerIn { go: host.go }));
         let background = lit(3 * format.precision().colour, self.background);
-        let into = QuadtreeGeneratorIn {
-            packets: player.packets,
-            strict: lit(1, 0),
-            swap: host.swap,
-            show: Show { start: host.start, clear: host.clear, background },
-            probe: Probe {
-                processor: lit(below(format.matrix().processors()), 0),
-                unit: lit(up_to(format.levels()), 0),
-            },
+        let show = Show { start: host.start, clear: host.clear, background };
+        let (pixels, is_drawn, showing) = match &self.machine {
+            Machine::Paper(generator, store) => {
+                let player = Player { format, store: store.clone() };
+                def!(player = m.instance(&player, PlayerIn { go: host.go }));
+                let probe = Probe {
+                    processor: lit(below(format.matrix().processors()), 0),
+                    unit: lit(up_to(format.levels()), 0),
+                };
+                let into =
+                    QuadtreeGeneratorIn { packets: player.packets, strict: lit(1, 0), swap: host.swap, show, probe };
+                def!(generator = m.instance(generator, into));
+                (generator.pixels, player.done & generator.idle, generator.showing)
+            }
+            Machine::Compact(generator, lanes) => {
+                let player = LanePlayer { format, lanes: lanes.clone() };
+                def!(player = m.instance(&player, LanePlayerIn { go: host.go }));
+                let into = CompactGeneratorIn { words: player.words, swap: host.swap, show };
+                def!(generator = m.instance(generator, into));
+                (generator.pixels, player.done & generator.idle, generator.showing)
+            }
         };
-        def!(generator = m.instance(&self.generator, into));
-        drawn.drive(player.done & generator.idle);
-        m.assert(retrace.implies(!generator.showing), "a picture is read before the next retrace");
-        generator.pixels
+        drawn.drive(is_drawn);
+        m.assert(retrace.implies(!showing), "a picture is read before the next retrace");
+        pixels
     }
 }
 

@@ -25,11 +25,16 @@ pub struct Store {
 /// Not the words: the text is a part of modules' names and headers.
 impl fmt::Debug for Store {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // FNV-1a.
-        let mix = |sum: u32, limb: &u64| (sum ^ (limb ^ (limb >> 32)) as u32).wrapping_mul(0x0100_0193);
-        let sum = self.words.iter().flat_map(|word| word.limbs()).fold(0x811c_9dc5, mix);
-        write!(f, "\"{}_words_{sum:08x}\"", self.words.len())
+        f.write_str(&summary(&self.words))
     }
+}
+
+/// What stands for words in a text: their number, and a sum of them.
+pub(super) fn summary(words: &[Bits]) -> String {
+    // FNV-1a.
+    let mix = |sum: u32, limb: &u64| (sum ^ (limb ^ (limb >> 32)) as u32).wrapping_mul(0x0100_0193);
+    let sum = words.iter().flat_map(|word| word.limbs()).fold(0x811c_9dc5, mix);
+    format!("\"{}_words_{sum:08x}\"", words.len())
 }
 
 impl Store {

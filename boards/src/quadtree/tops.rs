@@ -1,7 +1,7 @@
 //! The machine on boards.
 
 use tilewright_blocks::VideoTiming;
-use tilewright_hdl::{Module, block, def};
+use tilewright_hdl::{Clock, Module, block, def};
 use tilewright_rtl::parameter::{ParameterError, Screen as Pixels};
 use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_rtl::quadtree::format::{Format, Matrix};
@@ -10,7 +10,8 @@ use tilewright_rtl::quadtree::precision::Precision;
 use tilewright_rtl::quadtree::processor::{Queues, VideoProcessor};
 use tilewright_rtl::quadtree::raster::Form;
 
-use super::picture::QuadtreePicture;
+use super::compact::{CompactGenerator, Lanes};
+use super::picture::{Machine, QuadtreePicture};
 use super::scenes::{cube, teapot};
 use super::store::Store;
 use super::turning::{Step, Turning};
@@ -27,45 +28,36 @@ pub struct OnBoard {
     pub steps: Vec<Step>,
 }
 
-/// What a board's machine has besides its format.
-struct Build<'a> {
-    form: &'a str,
-    test: Test,
-    queues: Queues,
-    /// The width of the store's words.
-    word: u32,
+/// How a board shows its machine.
+struct Shown {
     refreshes: u32,
     scale: u32,
+    clock: Clock,
 }
 
-impl Build<'_> {
-    fn machine(&self, format: Format, turning: &Turning) -> Result<OnBoard, ParameterError> {
-        let Build { test, queues, word, refreshes, scale, .. } = *self;
-        let steps = turning.set_up(&format)?;
-        let form = Form::parse(self.form, &format)?;
-        let generator = QuadtreeGenerator { video_processor: VideoProcessor { format, form, test, queues } };
-        let store = Store::new(format, &steps, word);
+impl Shown {
+    fn on_board(self, machine: Machine, format: &Format, turning: &Turning, steps: Vec<Step>) -> OnBoard {
+        let Shown { refreshes, scale, clock } = self;
         let blank = tilewright_scenes::frame::blank(turning.scene.background);
         let background = format.precision().stored(blank) & ((1 << (3 * format.precision().colour)) - 1);
-        let picture = QuadtreePicture { generator, store, background, refreshes, scale, clock: None };
-        Ok(OnBoard { picture, steps })
+        let picture = QuadtreePicture { machine, background, refreshes, scale, clock: Some(clock) };
+        OnBoard { picture, steps }
     }
 }
 
-/// The machine for a ULX3S: 4 x 4 video processors, with words of 18 bits. Its scene is as large as the machine's memory
-/// allows.
+/// The machine for a ULX3S: 4 x 4 compact video processors, with words of 18 bits. Its scene is as large as the
+/// machine's memory allows.
 ///
 /// # Errors
 ///
 /// The scene does not fit the machine's numbers.
 pub fn for_ulx3s(pixels: Pixels, turning: &Turning) -> Result<OnBoard, ParameterError> {
-    let precision = Precision { position: 9, slope: 14, edge: 23, plane: 20, depth: 9, colour: 3 };
+    // A multiplier has 18 bits.
+    let precision = Precision { position: 9, slope: 14, edge: 23, plane: 18, depth: 9, colour: 3 };
     let format = Format::new(pixels, Matrix::new(4, 4)?, 3)?.with_precision(precision)?;
-    let queues = Queues { broadcast: 1, packets: 1, windows: 1 };
-    let build = Build { form: "stack", test: Test::Serial, queues, word: 108, refreshes: 8, scale: 1 };
-    let mut on_board = build.machine(format, turning)?;
-    on_board.picture.clock = Some(ulx3s::SLOW);
-    Ok(on_board)
+    let steps = turning.set_up(&format)?;
+    let machine = Machine::Compact(CompactGenerator { format }, Lanes::new(format, &steps));
+    Ok(Shown { refreshes: 8, scale: 1, clock: ulx3s::SLOW }.on_board(machine, &format, turning, steps))
 }
 
 /// The machine for an iCEBreaker: one video processor, with words of 16 bits in single-port memories.
@@ -77,10 +69,10 @@ pub fn for_icebreaker(pixels: Pixels, turning: &Turning) -> Result<OnBoard, Para
     let precision = Precision { position: 8, slope: 12, edge: 20, plane: 16, depth: 7, colour: 3 };
     let format = Format::new(pixels, Matrix::new(1, 1)?, 3)?.with_precision(precision)?.with_spram()?;
     let queues = Queues { broadcast: 1, packets: 1, windows: 1 };
-    let build = Build { form: "stack", test: Test::Serial, queues, word: 64, refreshes: 8, scale: 2 };
-    let mut on_board = build.machine(format, turning)?;
-    on_board.picture.clock = Some(icebreaker::MACHINE);
-    Ok(on_board)
+    let video_processor = VideoProcessor { format, form: Form::parse("stack", &format)?, test: Test::Serial, queues };
+    let steps = turning.set_up(&format)?;
+    let machine = Machine::Paper(QuadtreeGenerator { video_processor }, Store::new(format, &steps, 64));
+    Ok(Shown { refreshes: 8, scale: 2, clock: icebreaker::MACHINE }.on_board(machine, &format, turning, steps))
 }
 
 /// The machine and the scene of the ULX3S: the teapot at 320 x 240 pixels.

@@ -16,7 +16,7 @@ pub const PIXEL: Clock = Clock::new("pixel", Period::ns(40)).reset(Reset::PowerO
 /// The clock of the serial lines, which send a bit at each of its edges.
 pub const SERIAL: Clock = Clock::new("serial", Period::ns(8)).reset(Reset::PowerOn);
 
-/// The clock of a machine whose logic is too slow for that of the pixels.
+/// The clock of a machine that is slower than its picture, which leaves the placer room for the serial lines.
 pub const SLOW: Clock = Clock::new("slow", Period::ns(60)).reset(Reset::PowerOn);
 
 /// The clock of a design without a picture.
