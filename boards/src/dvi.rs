@@ -49,12 +49,14 @@ impl DviSender {
 
         def!(phase = serial.reg(below(5)).reset(0));
         phase.next(mux(phase.eq(4), 0, phase + 1));
-        def!(loads = phase.eq(4));
         // One symbol stays in the queue, so that it does not matter when within five clocks the next one comes.
         def!(begun = serial.reg(bit()).reset(0));
-        begun.when(loads & symbols.valid, 1);
-        let symbols = symbols.take_when(loads & begun);
-        serial.assert((loads & begun).implies(symbols.taken), "the queue has a symbol whenever one is due");
+        begun.when(phase.eq(4) & symbols.valid, 1);
+        // In phase 4. A register of its own, because it enables the whole end of the queue.
+        def!(loads = serial.reg(bit()).reset(0));
+        loads.next(phase.eq(3) & begun);
+        let symbols = symbols.take_when(*loads);
+        serial.assert(loads.implies(symbols.taken), "the queue has a symbol whenever one is due");
 
         // Low until the first symbol.
         def!(line = serial.reg(bits(10).of(row(4))).reset(0));
