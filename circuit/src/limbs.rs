@@ -3,6 +3,49 @@
 
 use std::cmp::Ordering;
 
+use crate::Bits;
+
+/// A number of so many bits, in limbs; the bits above are zero.
+#[derive(Clone, Copy)]
+pub struct Number<'a> {
+    pub limbs: &'a [u64],
+    pub width: u32,
+}
+
+impl<'a> From<&'a Bits> for Number<'a> {
+    fn from(bits: &'a Bits) -> Number<'a> {
+        Number { limbs: bits.limbs(), width: bits.width() }
+    }
+}
+
+impl Number<'_> {
+    /// Its lowest bit.
+    pub fn is_one(&self) -> bool {
+        self.limbs[0] & 1 == 1
+    }
+
+    /// Its highest bit.
+    pub fn sign(&self) -> bool {
+        bit(self.limbs, self.width - 1)
+    }
+
+    /// The value, or `limit` if it is that or more.
+    pub fn at_most(&self, limit: u32) -> u32 {
+        match self.limbs[1..].iter().all(|&limb| limb == 0) {
+            true => self.limbs[0].min(u64::from(limit)) as u32,
+            false => limit,
+        }
+    }
+
+    /// With zeros or, if signed, copies of its highest bit up to a width.
+    pub fn extend(self, out: &mut [u64], signed: bool, width: u32) {
+        copy(out, 0, self.limbs, 0, self.width);
+        if signed && self.sign() {
+            set(out, self.width, width);
+        }
+    }
+}
+
 /// `a + b`, or `a - b`.
 #[inline]
 pub fn add(out: &mut [u64], a: &[u64], b: &[u64], subtract: bool) {

@@ -8,47 +8,7 @@ use std::cmp::Ordering;
 use super::{Binary, Reduction, Relation, Shift, Unary};
 use crate::Bits;
 use crate::bits::{limbs_for, top_mask};
-use crate::limbs;
-
-/// A number of so many bits, in limbs; the bits above are zero.
-#[doc(hidden)]
-#[derive(Clone, Copy)]
-pub struct Number<'a> {
-    pub limbs: &'a [u64],
-    pub width: u32,
-}
-
-impl<'a> From<&'a Bits> for Number<'a> {
-    fn from(bits: &'a Bits) -> Number<'a> {
-        Number { limbs: bits.limbs(), width: bits.width() }
-    }
-}
-
-impl Number<'_> {
-    pub fn is_one(&self) -> bool {
-        self.limbs[0] & 1 == 1
-    }
-
-    fn sign(&self) -> bool {
-        limbs::bit(self.limbs, self.width - 1)
-    }
-
-    /// The value, or `limit` if it is that or more.
-    pub fn at_most(&self, limit: u32) -> u32 {
-        match self.limbs[1..].iter().all(|&limb| limb == 0) {
-            true => self.limbs[0].min(u64::from(limit)) as u32,
-            false => limit,
-        }
-    }
-
-    /// With zeros or, if signed, copies of its highest bit up to a width.
-    pub fn extend(self, out: &mut [u64], signed: bool, width: u32) {
-        limbs::copy(out, 0, self.limbs, 0, self.width);
-        if signed && self.sign() {
-            limbs::set(out, self.width, width);
-        }
-    }
-}
+use crate::limbs::{self, Number};
 
 /// The value of these bits that `fill` makes of zeros.
 fn made(width: u32, fill: impl FnOnce(&mut [u64])) -> Bits {

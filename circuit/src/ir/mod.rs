@@ -40,8 +40,6 @@ pub use foreign::{Foreign, Parameter};
 pub use ids::{ClockId, InstanceId, MemoryId, ModuleId, NodeId, RegisterId};
 pub use kind::{Kind, Names};
 pub use latency::Latency;
-#[doc(hidden)]
-pub use meaning::Number;
 pub use memory::{Contents, Memory, ReadPort, ReadUnderWrite, WritePort};
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 pub use ports::{Clock, Input, Output};

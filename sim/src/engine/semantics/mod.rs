@@ -4,7 +4,7 @@
 mod elementwise;
 mod lanes;
 
-pub(crate) use tilewright_circuit::ir::Number;
+pub(crate) use tilewright_circuit::limbs::Number;
 
 use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 
