@@ -122,6 +122,8 @@ impl Tab {
         self.call("Emulation.setDeviceMetricsOverride", metrics);
         let features = json!([{ "name": "prefers-color-scheme", "value": scheme }]);
         self.call("Emulation.setEmulatedMedia", json!({ "features": features }));
+        // The page lays itself out anew before its next frame: a click meanwhile may be on what it takes away.
+        self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))");
     }
 
     /// The value of an expression in the page.
