@@ -14,7 +14,7 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 pub use figures::{ENTRANTS, Entrant, Figures};
-pub use followed::{Followed, check_pixel, follow, signals_of, times_around, unit_and_name};
+pub use followed::{Followed, check_pixel, follow, render_traced, signals_of, times_around, unit_and_name};
 pub use job::{Job, Run};
 pub use vc1::Turn;
 pub use viewed::{Viewed, Visitor, visit};

@@ -1,5 +1,6 @@
 //! A value of a known width: the value of a signal at one moment.
 
+use crate::limbs;
 use crate::radix::Radix;
 use std::cmp::Ordering;
 use std::fmt;
@@ -162,6 +163,13 @@ impl Bits {
         Bits { width, radix: Radix::Any, limbs }
     }
 
+    /// The value that `fill` makes of zeros, as [`Bits::from_limbs`] takes it.
+    pub(crate) fn filled(width: u32, fill: impl FnOnce(&mut [u64])) -> Bits {
+        let mut limbs = vec![0; limbs_for(width)];
+        fill(&mut limbs);
+        Bits::from_limbs(width, &limbs)
+    }
+
     /// All bits zero.
     ///
     /// ```
@@ -217,7 +225,7 @@ impl Bits {
     /// ```
     pub fn bit(&self, index: u32) -> bool {
         assert!(index < self.width, "bit {index} of a value of {} bits", self.width);
-        self.limbs()[index as usize / 64] >> (index % 64) & 1 == 1
+        limbs::bit(self.limbs(), index)
     }
 
     /// Whether every bit is zero.
@@ -279,14 +287,8 @@ impl Bits {
     /// ```
     pub fn slice(&self, range: std::ops::Range<u32>) -> Bits {
         assert!(range.start < range.end && range.end <= self.width, "slice {range:?} of {} bits", self.width);
-        let (skip, shift) = (range.start as usize / 64, range.start % 64);
-        let limb = |i: usize| self.limbs().get(i).copied().unwrap_or(0);
-        let moved = |i: usize| match shift {
-            0 => limb(skip + i),
-            _ => limb(skip + i) >> shift | limb(skip + i + 1) << (64 - shift),
-        };
         let width = range.end - range.start;
-        Bits::from_limbs(width, &(0..limbs_for(width)).map(moved).collect::<Vec<_>>())
+        Bits::filled(width, |limbs| limbs::copy(limbs, 0, self.limbs(), range.start, width))
     }
 
     /// The concatenation of `self` above `low`, as wide as both together.
@@ -296,17 +298,10 @@ impl Bits {
     /// assert_eq!(Bits::new(4, 0xa).concat(&Bits::new(8, 0xbc)), Bits::new(12, 0xabc));
     /// ```
     pub fn concat(&self, low: &Bits) -> Bits {
-        let width = self.width + low.width;
-        let mut limbs = vec![0; limbs_for(width)];
-        limbs[..low.limbs().len()].copy_from_slice(low.limbs());
-        let (skip, shift) = (low.width as usize / 64, low.width % 64);
-        for (i, &limb) in self.limbs().iter().enumerate() {
-            limbs[skip + i] |= limb << shift;
-            if shift > 0 && skip + i + 1 < limbs.len() {
-                limbs[skip + i + 1] |= limb >> (64 - shift);
-            }
-        }
-        Bits::from_limbs(width, &limbs)
+        Bits::filled(self.width + low.width, |limbs| {
+            limbs::copy(limbs, 0, low.limbs(), 0, low.width);
+            limbs::copy(limbs, low.width, self.limbs(), 0, self.width);
+        })
     }
 
     /// Truncated, or zero-extended, to `width` bits.

@@ -36,9 +36,9 @@ impl Tracer {
         self.state().header.clone()
     }
 
-    /// The circuit that the waveform is of; `None` if the machine has no such unit.
-    pub fn design(&self) -> Option<Design> {
-        self.state().design.clone()
+    /// Takes the circuit that the waveform is of; `None` if the machine has no such unit.
+    pub fn take_design(&self) -> Option<Design> {
+        self.state().design.take()
     }
 
     /// Begins the waveform if that is the unit: a simulation of that block, at that clock.

@@ -6,7 +6,7 @@ use crate::shell::{Exit, Failure, progress};
 use crate::trace::TraceOptions;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
-use tilewright_machines::{Follower, Step, Way};
+use tilewright_machines::{Follower, Step, Tracer, Way};
 use tilewright_scenes::{Frame, Size};
 
 /// Clocks of a waveform on each side of a step.
@@ -38,6 +38,22 @@ pub fn follow(job: &impl Job, pixel: [u32; 2], cancel: Option<&AtomicBool>) -> R
         (None, Some(failure)) => Err(failure),
         (way, failed) => Ok(Followed { frame, way: way.unwrap_or_default(), failed }),
     }
+}
+
+/// Renders with the waveform of a unit that is simulated by itself. The pixel is followed meanwhile, as a machine with a fault may not end
+/// otherwise.
+///
+/// # Errors
+/// Those of the run.
+pub fn render_traced(
+    job: &impl Job,
+    tracer: &Tracer,
+    pixel: [u32; 2],
+    cancel: Option<&AtomicBool>,
+) -> Result<(), Failure> {
+    let (follower, filters) = (Follower::new(pixel), TraceOptions::default());
+    let (tracer, follower) = (Some(tracer), Some(&follower));
+    job.render(&Run { tracer, follower, cancel, ..Run::new(EngineArguments::default(), &filters) }).map(|_| ())
 }
 
 /// Whether a run failed because it was interrupted.

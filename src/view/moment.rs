@@ -4,7 +4,9 @@ use super::nets::Net;
 use super::recorded::{Recorded, Shown, drawn, module_at, source, written};
 use crate::block::entries;
 use crate::engine::EngineArguments;
-use crate::machine::{Job, Machine, Run, Viewed, Visitor, signals_of, times_around, unit_and_name, visit};
+use crate::machine::{
+    Job, Machine, Run, Viewed, Visitor, render_traced, signals_of, times_around, unit_and_name, visit,
+};
 use crate::shell::output::Waveform;
 use crate::shell::{Exit, Failure, progress};
 use crate::trace::TraceOptions;
@@ -13,13 +15,13 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use tilewright_hdl::Design;
-use tilewright_machines::{Apart, Follower, Step, Tracer};
+use tilewright_machines::{Apart, Step, Tracer};
 use tilewright_scenes::Scene;
 
 /// The most lanes of a net of a unit that is simulated by itself: an array of pixels has tens of thousands, and a page does not list them.
 const MOST_LANES: usize = 64;
 
-const LEFT_OUT: &str = ". Each net has its first 64 lanes here";
+const NO_UNIT: &str = "the circuit has no such unit, so there is no wave of it";
 
 /// The block of a step.
 pub enum Moment {
@@ -63,7 +65,7 @@ impl Visitor for Asked<'_> {
             return alone(step, "this step is about no net, so there is no wave of it");
         };
         let Some(module) = module_at(&design, &unit) else {
-            return alone(step, "the circuit has no such unit, so there is no wave of it");
+            return alone(step, NO_UNIT);
         };
         let filters = filters(&design, module, (&unit, name), times_around(step));
         progress::phase("building");
@@ -76,8 +78,7 @@ impl Visitor for Asked<'_> {
             };
             ended(job.render(&run))
         })?;
-        let recorded = Box::new(Recorded::new(design, vcd, &unit));
-        Ok(Moment::Recorded { step: step.clone(), unit, recorded })
+        Ok(self.recorded(design, vcd, unit))
     }
 }
 
@@ -90,23 +91,19 @@ impl Asked<'_> {
         let mut design = None;
         let vcd = written(|file| {
             let tracer = Tracer::new(apart, filters.trace(&Waveform::temporary(file))?);
-            let (follower, none) = (Follower::new(self.pixel), TraceOptions::default());
-            let run = Run {
-                tracer: Some(&tracer),
-                // It is followed again, as a machine with a fault may not end otherwise.
-                follower: Some(&follower),
-                cancel: Some(self.cancel),
-                ..Run::new(EngineArguments::default(), &none)
-            };
-            ended(job.render(&run))?;
-            design = tracer.design();
+            ended(render_traced(job, &tracer, self.pixel, Some(self.cancel)))?;
+            design = tracer.take_design();
             Ok(())
         })?;
-        let Some(design) = design.filter(|design| module_at(design, &unit).is_some()) else {
-            return alone(self.step, "the circuit has no such unit, so there is no wave of it");
-        };
+        match design.filter(|design| module_at(design, &unit).is_some()) {
+            Some(design) => Ok(self.recorded(design, vcd, unit)),
+            None => alone(self.step, NO_UNIT),
+        }
+    }
+
+    fn recorded(&self, design: Design, vcd: Vec<u8>, unit: Vec<String>) -> Moment {
         let recorded = Box::new(Recorded::new(design, vcd, &unit));
-        Ok(Moment::Recorded { step: self.step.clone(), unit, recorded })
+        Moment::Recorded { step: self.step.clone(), unit, recorded }
     }
 }
 
@@ -189,8 +186,11 @@ impl Moment {
                 let name = unit_and_name(step).map(|(_, name)| name).filter(|_| number == 0);
                 shown.nets.iter_mut().for_each(|net| net.asked = Some(net.name.as_str()) == name);
                 let note = step.apart.as_ref().map(|apart| {
-                    let more = if keep_first_lanes(&mut shown.nets) { LEFT_OUT } else { "" };
-                    of_itself(apart) + more
+                    let note = of_itself(apart);
+                    match keep_first_lanes(&mut shown.nets) {
+                        true => format!("{note}. Each net has its first {MOST_LANES} lanes here"),
+                        false => note,
+                    }
                 });
                 let path = unit.join(".");
                 Ok(Some(json!({ "note": note, "path": path, "unit": shown })))

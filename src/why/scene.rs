@@ -3,7 +3,8 @@
 use super::text::{Told, json, text};
 use crate::engine::EngineArguments;
 use crate::machine::{
-    Followed, Job, Machine, MachineArguments, Run, check_pixel, follow, signals_of, times_around, unit_and_name,
+    Followed, Job, Machine, MachineArguments, Run, check_pixel, follow, render_traced, signals_of, times_around,
+    unit_and_name,
 };
 use crate::names;
 use crate::scene::{load, size};
@@ -18,7 +19,7 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use tilewright_machines::{Apart, Follower, Step, Tracer, Way};
+use tilewright_machines::{Apart, Step, Tracer, Way};
 use tilewright_scenes::{Frame, Scene, Size};
 
 /// The options for a scene alone.
@@ -198,11 +199,8 @@ fn trace_apart(
     (apart, filters): (&Apart, &TraceOptions),
 ) -> Result<Vec<u8>, Failure> {
     waveform.clear()?;
-    let (tracer, none) = (Tracer::new(apart, filters.trace(waveform)?), TraceOptions::default());
-    // It is followed again, as a machine with a fault may not end otherwise.
-    let follower = Follower::new(pixel);
-    let run = Run { tracer: Some(&tracer), follower: Some(&follower), ..Run::new(EngineArguments::default(), &none) };
-    ended(job.render(&run))?;
+    let tracer = Tracer::new(apart, filters.trace(waveform)?);
+    ended(render_traced(job, &tracer, pixel, None))?;
     waveform.tell_written();
     Ok(tracer.header())
 }

@@ -4,12 +4,13 @@ use std::fmt;
 
 use tilewright_hdl::{Bits, Signal, row};
 use tilewright_rtl::quadtree::format::{Bounds, EdgeFunction, Format, PLANES, Packet, Plane as Planes};
+use tilewright_rtl::quadtree::precision::Precision;
 use tilewright_scenes::{Plane, Triangle};
 
 use super::turning::Step;
 
 /// The edges of each packet.
-const EDGES: u32 = 3;
+pub(super) const EDGES: u32 = 3;
 
 /// Packets of triangles in a memory, one behind the other in words of the same width, the lowest bits first.
 ///
@@ -37,15 +38,37 @@ pub(super) fn summary(words: &[Bits]) -> String {
     format!("\"{}_words_{sum:08x}\"", words.len())
 }
 
+/// The packets of all steps, and whether each is the last of its step.
+pub(super) fn packets(steps: &[Step]) -> impl Iterator<Item = (&Triangle, bool)> {
+    steps.iter().flat_map(|step| {
+        let of_step = step.packets.iter().enumerate();
+        of_step.map(|(number, packet)| (packet, number + 1 == step.packets.len()))
+    })
+}
+
+/// The increases and the origin of each plane, depth first, without the lower bits that the machine leaves out.
+pub(super) fn cut_planes(packet: &Triangle, precision: &Precision) -> [[i64; 3]; PLANES as usize] {
+    let cut = |Plane { x, y, origin }: Plane, by: u32| [x, y, origin].map(|number| (number >> by) as i64);
+    let [red, green, blue] = packet.rgb.map(|plane| cut(plane, precision.cut_of_colour()));
+    [cut(packet.z, precision.cut_of_depth()), red, green, blue]
+}
+
+/// The bounds of a packet, in the sequence in which they are stored.
+pub(super) fn bounds(packet: &Triangle) -> [i64; 4] {
+    let bounds = packet.bounds;
+    [bounds.left, bounds.top, bounds.right, bounds.bottom].map(i64::from)
+}
+
+/// Fields side by side, the first in the lowest bits.
+pub(super) fn joined(fields: impl IntoIterator<Item = Bits>) -> Bits {
+    fields.into_iter().reduce(|low, high| high.concat(&low)).expect("there are fields")
+}
+
 impl Store {
     /// The packets of these steps, in words of that width.
     pub fn new(format: Format, steps: &[Step], word: u32) -> Store {
         let mut store = Store { format, word, words: Vec::new() };
-        for step in steps {
-            for (number, packet) in step.packets.iter().enumerate() {
-                store.push(packet, number + 1 == step.packets.len());
-            }
-        }
+        packets(steps).for_each(|(packet, is_last)| store.push(packet, is_last));
         store
     }
 
@@ -76,22 +99,12 @@ impl Store {
         packet.edges.iter().for_each(|edge| put(edge.a.into(), precision.slope));
         packet.edges.iter().for_each(|edge| put(edge.b.into(), precision.slope));
         packet.edges.iter().for_each(|edge| put(edge.c.into(), precision.edge));
-        let [red, green, blue] = packet.rgb;
-        let planes = [(packet.z, precision.cut_of_depth())]
-            .into_iter()
-            .chain([red, green, blue].map(|plane| (plane, precision.cut_of_colour())));
-        for number in 0..3 {
-            let of = |plane: Plane| [plane.x, plane.y, plane.origin][number];
-            planes.clone().for_each(|(plane, cut)| put((of(plane) >> cut) as i64, precision.plane));
-        }
-        let bounds = packet.bounds;
-        for bound in [bounds.left, bounds.top, bounds.right, bounds.bottom] {
-            put(bound.into(), precision.position);
-        }
+        let planes = cut_planes(packet, &precision);
+        (0..3).for_each(|number| planes.iter().for_each(|plane| put(plane[number], precision.plane)));
+        bounds(packet).into_iter().for_each(|bound| put(bound, precision.position));
         put(is_last.into(), 1);
         let (count, word) = (self.words_of_packet(), self.word);
-        let all = fields.into_iter().reduce(|low, high| high.concat(&low)).expect("a packet has fields");
-        let all = all.resize(count * word);
+        let all = joined(fields).resize(count * word);
         self.words.extend((0..count).map(|number| all.slice(number * word..(number + 1) * word)));
     }
 

@@ -7,15 +7,8 @@ use std::cmp::Ordering;
 
 use super::{Binary, Reduction, Relation, Shift, Unary};
 use crate::Bits;
-use crate::bits::{limbs_for, top_mask};
+use crate::bits::top_mask;
 use crate::limbs::{self, Number};
-
-/// The value of these bits that `fill` makes of zeros.
-fn made(width: u32, fill: impl FnOnce(&mut [u64])) -> Bits {
-    let mut out = vec![0; limbs_for(width)];
-    fill(&mut out);
-    Bits::from_limbs(width, &out)
-}
 
 impl Unary {
     /// The result for a value.
@@ -30,7 +23,7 @@ impl Unary {
     /// ```
     pub fn apply(self, a: &Bits) -> Bits {
         let width = if self == Unary::Not { a.width() } else { 1 };
-        made(width, |out| self.fill(out, a.into()))
+        Bits::filled(width, |out| self.fill(out, a.into()))
     }
 
     #[doc(hidden)]
@@ -59,7 +52,7 @@ impl Binary {
     pub fn apply(self, a: &Bits, b: &Bits) -> Bits {
         let is_product = matches!(self, Binary::Mul | Binary::MulSigned);
         let width = if is_product { a.width() + b.width() } else { a.width() };
-        made(width, |out| self.fill(width, out, a.into(), b.into()))
+        Bits::filled(width, |out| self.fill(width, out, a.into(), b.into()))
     }
 
     #[doc(hidden)]
@@ -131,7 +124,7 @@ impl Shift {
     /// assert_eq!(Shift::RightSigned.apply(&word, &Bits::new(8, 200)), Bits::ones(4));
     /// ```
     pub fn apply(self, a: &Bits, by: &Bits) -> Bits {
-        made(a.width(), |out| self.fill(out, a.into(), by.into()))
+        Bits::filled(a.width(), |out| self.fill(out, a.into(), by.into()))
     }
 
     #[doc(hidden)]

@@ -5,7 +5,7 @@
 //! A statement for each row would be simpler to read and slow to compile: a frame of 18,000 steps is 60 MB of C++ then.
 
 use crate::verilog::{self, pattern, range};
-use tilewright_circuit::Bits;
+use tilewright_circuit::{Bits, width_below};
 
 /// The most bits of a constant of several rows: a simulator takes time for the square of this.
 const MOST_BITS: u32 = 16_384;
@@ -234,6 +234,6 @@ impl Inside {
 /// A column of numbers, as wide as the greatest needs.
 pub fn numbers(register: String, numbers: &[u64]) -> Column {
     let greatest = numbers.iter().copied().max().unwrap_or(0);
-    let width = (u64::BITS - greatest.leading_zeros()).max(1);
+    let width = width_below(u128::from(greatest) + 1);
     Column { register, width, values: numbers.iter().map(|number| Bits::new(width, *number)).collect() }
 }

@@ -2,8 +2,7 @@
 
 use crate::check::{numbering, unused};
 use crate::draft::Draft;
-use crate::names::port_name;
-use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
+use crate::names::{is_legal, is_reserved, is_reserved_in_cpp, port_name};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use tilewright_circuit::ir::{Instance, Module, Node, NodeId, Op};
 use tilewright_circuit::{Loc, Mistake, Problem};

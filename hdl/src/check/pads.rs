@@ -1,7 +1,6 @@
 //! Pads are in the top, and each has its outside among the top's inputs.
 
-use crate::names::port_name;
-use crate::names::{is_reserved, is_reserved_in_cpp};
+use crate::names::{is_reserved, is_reserved_in_cpp, port_name};
 use tilewright_circuit::ir::{Clock, Input, Instance, Module};
 use tilewright_circuit::{Mistake, Problem};
 

@@ -4,13 +4,11 @@ use std::fmt;
 
 use tilewright_hdl::{Bits, Signal, bits, record};
 use tilewright_rtl::quadtree::format::{Bounds, Format, PLANES};
-use tilewright_scenes::{Plane, Triangle};
+use tilewright_scenes::Triangle;
 
-use crate::quadtree::store::summary;
+use crate::quadtree::store::{bounds, cut_planes, joined, packets, summary};
 use crate::quadtree::turning::Step;
 
-/// The edges of each packet. The word behind them has the bounds in place of an edge.
-pub(super) const EDGES: u32 = 3;
 /// The words of each packet: one for each plane.
 pub(super) const WORDS: u32 = PLANES;
 
@@ -85,13 +83,8 @@ impl fmt::Debug for Lanes {
 impl Lanes {
     /// The packets of these steps.
     pub fn new(format: Format, steps: &[Step]) -> Lanes {
-        let mut words = Vec::new();
-        for step in steps {
-            for (number, packet) in step.packets.iter().enumerate() {
-                words.extend((0..WORDS).map(|lane| word(&format, packet, lane, number + 1 == step.packets.len())));
-            }
-        }
-        Lanes { format, words }
+        let of_packet = |(packet, is_last)| (0..WORDS).map(move |lane| word(&format, packet, lane, is_last));
+        Lanes { format, words: packets(steps).flat_map(of_packet).collect() }
     }
 
     /// The words.
@@ -109,26 +102,18 @@ impl Lanes {
 fn word(format: &Format, packet: &Triangle, lane: u32, is_last: bool) -> Bits {
     let precision = format.precision();
     let bits = |number: i64, bits: u32| Bits::from_i128(bits, number.into());
-    let joined =
-        |fields: Vec<Bits>| fields.into_iter().reduce(|low, high| high.concat(&low)).expect("there are fields");
     let function = match packet.edges.get(lane as usize) {
-        Some(edge) => joined(vec![
+        Some(edge) => joined([
             bits(edge.a.into(), precision.slope),
             bits(edge.b.into(), precision.slope),
             bits(edge.c.into(), precision.edge),
         ]),
         None => {
-            let bounds = packet.bounds;
-            let bounds = [bounds.left, bounds.top, bounds.right, bounds.bottom];
-            let bounds = bounds.map(|bound| bits(bound.into(), precision.position));
-            joined(bounds.into_iter().chain([bits(is_last.into(), 1)]).collect())
+            let bounds = bounds(packet).map(|bound| bits(bound, precision.position));
+            joined(bounds.into_iter().chain([bits(is_last.into(), 1)]))
         }
     };
-    let [red, green, blue] = packet.rgb;
-    let (depth_cut, colour_cut) = (precision.cut_of_depth(), precision.cut_of_colour());
-    let (Plane { x, y, origin }, cut) =
-        [(packet.z, depth_cut), (red, colour_cut), (green, colour_cut), (blue, colour_cut)][lane as usize];
-    let plane = [x, y, origin].map(|number| bits((number >> cut) as i64, precision.plane));
+    let plane = cut_planes(packet, &precision)[lane as usize].map(|number| bits(number, precision.plane));
     let function = function.resize(function_bits(format));
-    joined([function].into_iter().chain(plane).collect())
+    joined([function].into_iter().chain(plane))
 }

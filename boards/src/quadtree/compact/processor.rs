@@ -14,8 +14,9 @@ use tilewright_rtl::quadtree::format::{Bounds, Format};
 use tilewright_rtl::quadtree::pixel::Fragment;
 use tilewright_rtl::quadtree::video_buffer::{Scan, VideoBuffer, VideoBufferIn};
 
-use super::lanes::{EDGES, Lane, WORDS};
+use super::lanes::{Lane, WORDS};
 use super::walk::{Walk, WalkIn, WalkOut};
+use crate::quadtree::store::EDGES;
 
 /// The packets that the queue holds.
 const PACKETS: u32 = 4;

@@ -16,7 +16,6 @@ use crate::tracer::Tracer;
 pub(in crate::pixelflow) struct Way {
     sim: Simulation<NetworkIn, NetworkOut>,
     network: Network,
-    nodes: usize,
     chips: u32,
     /// Pixels of a chip.
     pixels: usize,
@@ -35,7 +34,7 @@ impl Way {
             sim.set(node.first, false);
         }
         sim.try_reset()?;
-        Ok(Way { sim, network, nodes, chips: array.chips(), pixels: array.pixels() as usize, observer: None })
+        Ok(Way { sim, network, chips: array.chips(), pixels: array.pixels() as usize, observer: None })
     }
 
     /// Begins a waveform of it, if the simulation of that number is traced.
@@ -68,7 +67,7 @@ impl Way {
         let mut came = Words::new(self.chips, length);
         let target = self.sim.o.nodes[to];
         // Until the last byte has left the network.
-        for tick in 0..length + self.nodes - first {
+        for tick in 0..length + nodes.len() - first {
             for (number, own) in words {
                 if let Some(bytes) = tick.checked_sub(number - first).and_then(|turn| own.get(turn)) {
                     self.sim.set(nodes[*number].own, bytes);
@@ -95,7 +94,7 @@ impl Way {
             true => Ok(came),
             false => {
                 let (unit, signal) = ("the network".to_owned(), "the number of bytes that arrive");
-                let clock = (length + self.nodes - first) as u64;
+                let clock = (length + nodes.len() - first) as u64;
                 Err(Error::Differs { unit, signal, clock, seen: came.len() as u64, expected: length as u64 })
             }
         }
