@@ -21,7 +21,7 @@ enum Engine {
     Reference,
     /// An interpreter: slow
     Interpreter,
-    /// Machine code compiled from the circuit; the interpreter where none can be generated
+    /// Machine code compiled from the circuit, for runs that are long enough; the interpreter where none can be generated
     #[default]
     Compiled,
     /// Machine code and the reference engine, compared signal by signal; thousands of times slower. Exit code 1 at the first signal that differs
@@ -34,7 +34,7 @@ impl EngineArguments {
         match self.engine {
             Engine::Reference => EngineKind::Reference,
             Engine::Interpreter => EngineKind::Interpreter,
-            Engine::Compiled => EngineKind::Compiled,
+            Engine::Compiled => EngineKind::Tiered,
             Engine::Both => EngineKind::Both,
         }
     }

@@ -40,6 +40,11 @@ impl Looks {
         &self.values
     }
 
+    /// The path of the net at that place.
+    pub fn path(&self, place: usize) -> &str {
+        &self.paths[place]
+    }
+
     /// The bits of the net at that place, after a look.
     pub fn width(&self, place: usize) -> u32 {
         self.nets.as_ref().map_or(0, |nets| nets.width(place))

@@ -28,7 +28,7 @@ impl Cone {
     /// # Errors
     /// It cannot be played.
     pub fn at(design: &Design, scenario: &Scenario, both: &Both, instant: &Instant) -> Result<Cone, Failure> {
-        let mut sim = simulation(design, EngineKind::Compiled)?;
+        let mut sim = simulation(design, EngineKind::default())?;
         // The failure of an assertion is already known.
         play_remembered(&mut sim, scenario)?;
         sim.go_to(instant.picoseconds)?;

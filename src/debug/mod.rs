@@ -77,7 +77,7 @@ impl Debug {
 
     /// The page's state after the scenario, and the failure of an assertion.
     fn state(&self, entry: &Entry, values: &Values, design: &Design) -> Result<(State, Option<Failure>), Failure> {
-        let mut sim = simulation(design, EngineKind::Compiled)?;
+        let mut sim = simulation(design, EngineKind::default())?;
         if let Some(name) = &self.signal {
             sim.peek(name).map_err(Error::from)?;
         }

@@ -31,7 +31,7 @@ impl BlockSite {
     pub fn new(entry: &'static Entry, settings: &[(String, u64)]) -> Result<BlockSite, Failure> {
         let values = parameters(entry, settings)?;
         let design = design(entry, &values)?;
-        let mut sim = simulation(&design, EngineKind::Compiled)?;
+        let mut sim = simulation(&design, EngineKind::default())?;
         let scenario = entry.scenario(&values)?;
         check_length(&sim, &scenario, "a page")?;
         let shortest = sim.program().clocks.iter().map(|clock| clock.period).min().unwrap_or(1);

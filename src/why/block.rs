@@ -53,7 +53,7 @@ impl BlockOptions {
     pub fn run(&self, name: &OsStr, signal: &str, json: bool) -> Result<Exit, Failure> {
         let entry = blocks().find(name).map_err(|sentence| Failure::new(Exit::BadInput, sentence))?;
         let values = values(entry, &self.settings)?;
-        let mut sim = simulation(&design(entry, &values)?, EngineKind::Compiled)?;
+        let mut sim = simulation(&design(entry, &values)?, EngineKind::default())?;
         let scenario = entry.scenario(&values)?;
         // A name that there is not costs no run.
         sim.why_within(signal, &Limits { depth: 0, ..Limits::default() })?;

@@ -14,7 +14,7 @@ pub fn command(step: &Step) -> Option<String> {
     let net = step.net.as_deref()?.rsplit('.').next()?;
     let entry = entries().find(|entry| entry.name == step.block)?;
     let values = entry.values([]).ok()?;
-    let mut sim = simulation(&entry.design(&values).ok()?, EngineKind::Compiled).ok()?;
+    let mut sim = simulation(&entry.design(&values).ok()?, EngineKind::default()).ok()?;
     play_remembered(&mut sim, &entry.scenario(&values).ok()?).ok()?;
     // The lanes of the usual block may be others than those of the machine's.
     let plain = net.split('[').next()?;
@@ -65,7 +65,7 @@ mod tests {
         let cycle = next.strip_prefix("tilewright why merging-unit --signal nearer --at ").unwrap();
         let entry = entries().find(|entry| entry.name == "merging-unit").unwrap();
         let values = entry.values([]).unwrap();
-        let mut sim = simulation(&entry.design(&values).unwrap(), EngineKind::Compiled).unwrap();
+        let mut sim = simulation(&entry.design(&values).unwrap(), EngineKind::default()).unwrap();
         play_remembered(&mut sim, &entry.scenario(&values).unwrap()).unwrap();
         let period = sim.program().clocks[0].period;
         sim.go_to(cycle.parse::<u64>().unwrap() * period).unwrap();

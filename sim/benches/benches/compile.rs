@@ -1,10 +1,10 @@
-//! The time from a description to the first cycle, by size: `cargo bench -p tilewright-benches --bench compile`.
+//! The time from a description to the first cycle, on the interpreter and with machine code, by size: `cargo bench -p tilewright-benches --bench compile`.
 //! Twice the size should take twice the time.
 
 use std::time::Instant;
 
 use tilewright_hdl::{Block, Module, Signal, bits, block, bundle};
-use tilewright_sim::Simulation;
+use tilewright_sim::{EngineKind, Simulation};
 
 bundle! {
     struct In<T> { x: T }
@@ -59,11 +59,11 @@ impl Lanes {
     }
 }
 
-/// Milliseconds to describe a block, and from there to the first cycle; the best of three times.
-fn measure<B: Block>(block: &B) -> [f64; 2] {
+/// Milliseconds to describe a block, and from there to the first cycle on an engine; the best of three times.
+fn measure<B: Block>(block: &B, engine: EngineKind) -> [f64; 2] {
     let once = || {
         let start = Instant::now();
-        let mut sim = Simulation::of(block).expect("the description has no mistake");
+        let mut sim = Simulation::of(block).expect("the description has no mistake").on(engine);
         let described = start.elapsed().as_secs_f64() * 1e3;
         sim.step();
         [described, start.elapsed().as_secs_f64() * 1e3 - described]
@@ -72,9 +72,12 @@ fn measure<B: Block>(block: &B) -> [f64; 2] {
 }
 
 fn print<B: Block>(what: &str, size: u32, block: &B) {
-    let [described, compiled] = measure(block);
+    let [_, interpreted] = measure(block, EngineKind::Interpreter);
+    let [described, compiled] = measure(block, EngineKind::Compiled);
     let each = (described + compiled) * 1e3 / f64::from(size);
-    println!("{what:40} {size:7}   described {described:8.1} ms   first cycle {compiled:8.1} ms   {each:6.2} us each");
+    println!(
+        "{what:40} {size:7}   described {described:8.1} ms   first cycle {interpreted:8.1} ms   in code {compiled:8.1} ms   {each:6.2} us each"
+    );
 }
 
 fn main() {

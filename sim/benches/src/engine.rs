@@ -9,13 +9,14 @@ use tilewright_sim::{Batch, EngineKind, Simulation};
 
 /// The engines available on this computer. The first one is the reference for comparisons.
 pub fn engines() -> impl Iterator<Item = EngineKind> {
-    [EngineKind::Compiled, EngineKind::Interpreter].into_iter().filter(|kind| kind.refused().is_none())
+    [EngineKind::Tiered, EngineKind::Interpreter].into_iter().filter(|kind| kind.refused().is_none())
 }
 
 fn name(kind: EngineKind) -> &'static str {
     match kind {
         EngineKind::Compiled => "compiled engine",
         EngineKind::Interpreter => "interpreter",
+        EngineKind::Tiered => "tiered engine",
         EngineKind::Reference => "reference engine",
         EngineKind::Both => "both engines",
     }
@@ -85,7 +86,7 @@ impl Contender for AtOnce {
     fn run(&self, cycles: u64) -> Result<Run, Error> {
         let started = Instant::now();
         let design = self.subject.design().map_err(tilewright_sim::Error::from)?;
-        let mut batch = Batch::from_design(&design, self.stimuli())?.on(EngineKind::Compiled);
+        let mut batch = Batch::from_design(&design, self.stimuli())?;
         let port = |name| batch.port(name).expect("every design with stimuli has it");
         let (rst, csum) = (port("rst"), port("csum"));
         batch.set_all(rst, 1);

@@ -1,5 +1,7 @@
 //! The choice of an engine, and an engine that is created when it is first needed.
 
+mod tiers;
+
 use std::cell::OnceCell;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -10,19 +12,21 @@ use crate::engine::lockstep::Lockstep;
 use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::{Beginning, Engine};
 use crate::engine::{interpreter, reference};
+use tiers::Early;
 
 /// The engine that executes a circuit. All engines give the same results.
 ///
 /// ```
 /// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
 /// let mut counts = Vec::new();
-/// for kind in [EngineKind::Reference, EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Both] {
+/// use EngineKind::{Both, Compiled, Interpreter, Reference, Tiered};
+/// for kind in [Reference, Interpreter, Compiled, Tiered, Both] {
 ///     let mut sim = Simulation::of(&Counter)?.on(kind);
 ///     sim.set(sim.i.enable, 1);
 ///     sim.run(100);
 ///     counts.push(sim.get_u64(sim.o.count));
 /// }
-/// assert_eq!(counts, [100; 4]);
+/// assert_eq!(counts, [100; 5]);
 /// # Ok::<(), tilewright_sim::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -32,8 +36,11 @@ pub enum EngineKind {
     /// An interpreter, which takes over if no code can be generated.
     Interpreter,
     /// Machine code generated for the circuit.
-    #[default]
     Compiled,
+    /// The interpreter at first, so that a circuit runs at once. Machine code takes over when the run has been as long
+    /// as making it takes.
+    #[default]
+    Tiered,
     /// Machine code beside the reference engine; the first difference is an error that names the signal and the clock.
     Both,
 }
@@ -49,8 +56,12 @@ impl EngineKind {
     /// assert_eq!(EngineKind::Compiled.refused(), EngineKind::Both.refused());
     /// ```
     pub fn refused(self) -> Option<String> {
-        let needs_code = matches!(self, EngineKind::Compiled | EngineKind::Both);
-        needs_code.then(unsupported).flatten().map(|reason| reason.to_string())
+        self.has_code().then(unsupported).flatten().map(|reason| reason.to_string())
+    }
+
+    /// Whether the engine makes code.
+    fn has_code(self) -> bool {
+        matches!(self, EngineKind::Compiled | EngineKind::Tiered | EngineKind::Both)
     }
 }
 
@@ -70,20 +81,39 @@ pub(crate) struct Started {
     compiled: OnceCell<Box<Compiled>>,
     /// The engine, if it is any other one.
     other: OnceCell<Box<dyn Engine>>,
+    /// How long the interpreter runs before code takes over, if it does.
+    early: Early,
+    /// The code's indices of values that are collected in rows, in the sequence in which they were asked for.
+    rows: Vec<Option<usize>>,
 }
 
 impl Started {
     /// The circuit at its start on this engine, or on the interpreter if no code can be generated.
     pub fn new(program: Arc<Program>, chosen: EngineKind, beginning: Beginning) -> Started {
         let refused = EngineKind::Compiled.refused();
-        let code = Arc::default();
-        Started { program, chosen, refused, beginning, code, compiled: OnceCell::new(), other: OnceCell::new() }
+        Started::of(program, chosen, refused, beginning, Arc::default(), None)
+    }
+
+    fn of(
+        program: Arc<Program>,
+        chosen: EngineKind,
+        refused: Option<String>,
+        beginning: Beginning,
+        code: Arc<SharedCode>,
+        edges: Option<u64>,
+    ) -> Started {
+        let early = match (chosen, &refused) {
+            (EngineKind::Tiered, None) => Early::of(&program, edges),
+            _ => Early::default(),
+        };
+        let (compiled, other) = (OnceCell::new(), OnceCell::new());
+        Started { program, chosen, refused, beginning, code, compiled, other, early, rows: Vec::new() }
     }
 
     /// The circuit at its start, with another engine or another beginning.
     pub fn again(&self, chosen: EngineKind, beginning: Beginning) -> Started {
         let (program, refused, code) = (self.program.clone(), self.refused.clone(), self.code.clone());
-        Started { program, chosen, refused, beginning, code, compiled: OnceCell::new(), other: OnceCell::new() }
+        Started::of(program, chosen, refused, beginning, code, self.early.given())
     }
 
     /// The circuit at its start, beside this one.
@@ -94,7 +124,14 @@ impl Started {
 
     /// Acts as on a machine for which no code can be generated, for the given reason.
     pub fn refuse(&self, reason: &str) -> Started {
-        Started { refused: Some(reason.to_owned()), ..self.again(self.chosen, self.beginning.clone()) }
+        let (program, beginning) = (self.program.clone(), self.beginning.clone());
+        Started::of(program, self.chosen, Some(reason.to_owned()), beginning, self.code.clone(), None)
+    }
+
+    /// The same on two tiers, of which the second one begins after this number of edges.
+    pub fn code_after(&self, edges: u64) -> Started {
+        let (program, refused, beginning) = (self.program.clone(), self.refused.clone(), self.beginning.clone());
+        Started::of(program, EngineKind::Tiered, refused, beginning, self.code.clone(), Some(edges))
     }
 
     /// The requested engine.
@@ -109,8 +146,7 @@ impl Started {
 
     /// Why it is not the requested engine.
     pub fn fallback(&self) -> Option<&str> {
-        let needs_code = matches!(self.chosen, EngineKind::Compiled | EngineKind::Both);
-        self.refused.as_deref().filter(|_| needs_code)
+        self.refused.as_deref().filter(|_| self.chosen.has_code())
     }
 
     /// An edge of the only clock, if there is a fast path; returns whether there was.
@@ -153,17 +189,22 @@ impl Started {
     fn begin(&self) {
         let program = || self.program.clone();
         let reference = || reference::Engine::new(program(), &self.beginning);
-        let compiled = || Box::new(Compiled::new(program(), &self.beginning, &self.code).expect("it was asked before"));
         let other: Box<dyn Engine> = match self.kind() {
-            EngineKind::Compiled => {
-                self.compiled.get_or_init(compiled);
+            EngineKind::Compiled | EngineKind::Tiered if self.early.is_over() => {
+                self.compiled.get_or_init(|| self.with_code());
                 return;
             }
             EngineKind::Reference => Box::new(reference()),
-            EngineKind::Interpreter => Box::new(interpreter::Engine::new(program(), &self.beginning)),
-            EngineKind::Both => Box::new(Lockstep::new(program(), reference(), compiled())),
+            EngineKind::Interpreter | EngineKind::Compiled | EngineKind::Tiered => {
+                Box::new(interpreter::Engine::new(program(), &self.beginning))
+            }
+            EngineKind::Both => Box::new(Lockstep::new(program(), reference(), self.with_code())),
         };
         self.other.get_or_init(|| other);
+    }
+
+    fn with_code(&self) -> Box<Compiled> {
+        Box::new(Compiled::new(self.program.clone(), &self.beginning, &self.code).expect("it was asked before"))
     }
 
     fn is_made(&self) -> bool {

@@ -276,7 +276,7 @@ impl Running {
     fn view(&mut self, until: u64) -> View<'_> {
         View {
             program: &self.program,
-            engine: &mut *self.engine,
+            engine: &mut self.engine,
             since: self.timeline.time(),
             until,
             rising: &self.rising,

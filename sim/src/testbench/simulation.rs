@@ -91,10 +91,10 @@ impl Simulation {
     ///
     /// [`Error::Description`] if a foreign module has no model.
     pub fn from_design(design: &Design) -> Result<Simulation, Error> {
-        Simulation::with_passes(design, &Passes::default())
+        Simulation::new(design, 1, (), (), &Passes::default())
     }
 
-    /// Like [`Simulation::from_design`], with the given optimisation passes only.
+    /// Like [`Simulation::from_design`], with the given optimisation passes only, and in machine code at once.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -111,7 +111,7 @@ impl Simulation {
     ///
     /// As [`Simulation::from_design`].
     pub fn with_passes(design: &Design, passes: &Passes) -> Result<Simulation, Error> {
-        Simulation::new(design, 1, (), (), passes)
+        Ok(Simulation::new(design, 1, (), (), passes)?.on(EngineKind::Compiled))
     }
 }
 
@@ -282,6 +282,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self
     }
 
+    /// The same circuit at time 0, on an engine of two tiers of which the second one begins after this number of edges.
+    #[doc(hidden)]
+    pub fn code_after(mut self, edges: u64) -> Self {
+        self.circuit.restart(self.circuit.engine.code_after(edges));
+        self
+    }
+
     /// The engine that runs: the chosen one, or the interpreter if no code can be generated for this machine.
     ///
     /// ```
@@ -302,7 +309,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// let sim = Simulation::of(&Counter)?;
     /// # let mut sim = sim;
     /// // There is a reason exactly if the engine is not the chosen one.
-    /// assert_eq!(sim.fallback().is_some(), sim.engine() != EngineKind::Compiled);
+    /// assert_eq!(sim.fallback().is_some(), sim.engine() != EngineKind::default());
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     pub fn fallback(&self) -> Option<&str> {

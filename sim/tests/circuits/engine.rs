@@ -1,5 +1,5 @@
-//! The engine for the tests of [`every_engine`](crate::circuits::every_engine): the compiled one, or the one that the
-//! environment names.
+//! The engine for the tests of [`every_engine`](crate::circuits::every_engine): machine code after an edge on the
+//! interpreter, or the one that the environment names.
 
 use std::env;
 use std::process::Command;
@@ -12,7 +12,7 @@ const ENGINE: &str = "TILEWRIGHT_TEST_ENGINE";
 
 pub fn engine() -> EngineKind {
     match env::var(ENGINE).as_deref() {
-        Err(env::VarError::NotPresent) => EngineKind::Compiled,
+        Err(env::VarError::NotPresent) => EngineKind::Tiered,
         Ok("reference") => EngineKind::Reference,
         Ok("interpreter") => EngineKind::Interpreter,
         Ok("both") => EngineKind::Both,
@@ -25,10 +25,14 @@ pub fn engine() -> EngineKind {
 /// A block on that engine.
 #[track_caller]
 pub fn of<B: Block>(block: &B) -> Simulation<B::In, B::Out> {
-    Simulation::of(block).unwrap().on(engine())
+    let sim = Simulation::of(block).unwrap();
+    match engine() {
+        EngineKind::Tiered => sim.code_after(1),
+        other => sim.on(other),
+    }
 }
 
-/// Runs the tests of `every_engine` in a process of their own, on an engine other than the compiled one.
+/// Runs the tests of `every_engine` in a process of their own, on that engine.
 fn again_on(engine: &str) {
     let mut tests = Command::new(env::current_exe().unwrap());
     let output = tests.env(ENGINE, engine).arg("every_engine::").output().unwrap();

@@ -27,6 +27,7 @@ mod resets;
 mod rows_together;
 mod shapes;
 mod store;
+mod tiers;
 mod units;
 mod vcd_rows;
 mod versions;

@@ -9,6 +9,7 @@ use tilewright_rtl::quadtree::format::Format;
 
 /// A stream of windows.
 pub(super) struct Windows {
+    port: String,
     /// The name of the net that says that there is one.
     pub valid: String,
     /// The place of that net, and of those for whether it is taken, its size, and its first sample.
@@ -16,6 +17,29 @@ pub(super) struct Windows {
     /// The other fields: four bounds and planes, and lanes for edges.
     fields: Looks,
     room: usize,
+}
+
+/// A window beside what a model has.
+pub(super) struct Beside {
+    pub values: Vec<Compared>,
+    /// The net to ask about: the first field that differs, or else whether there is a window.
+    pub net: String,
+}
+
+impl Beside {
+    /// Whether a value differs.
+    pub fn differs(&self) -> bool {
+        self.values.iter().any(Compared::differs)
+    }
+}
+
+/// Fields beside what a model has, as they are shown.
+#[derive(Default)]
+struct Pair {
+    hardware: Vec<String>,
+    golden: Vec<String>,
+    /// The places among the fields, and in these lists, of those that differ.
+    differing: Vec<(usize, usize)>,
 }
 
 impl Windows {
@@ -40,7 +64,8 @@ impl Windows {
             port,
             ["left", "top", "right", "bottom"].map(|it| format!("_window_bounds_{it}")).iter().map(|it| &**it),
         );
-        Windows { valid: format!("{port}_valid"), place, fields, room: room as usize }
+        let (port, valid) = (port.to_owned(), format!("{port}_valid"));
+        Windows { port, valid, place, fields, room: room as usize }
     }
 
     /// Whether there is a window.
@@ -70,41 +95,74 @@ impl Windows {
         self.fields.from(self.places()[0])
     }
 
-    /// All of it beside what a model has.
-    pub fn compare(&mut self, seen: &mut Seen, golden: &Fields) -> Vec<Compared> {
-        self.fields.look(seen.sim);
-        let place = |Square { size, x, y }: Square| format!("{0}x{0} at {x},{y}", 1_u64 << size.min(32));
-        let list = |places: &mut dyn Iterator<Item = usize>, golden: &[i64], signed: bool| {
-            let (mut here, mut there) = (Vec::new(), Vec::new());
-            for (place, golden) in places.zip(golden) {
-                let width = self.fields.width(place);
-                let shown = |number: u64| {
-                    let number = if width < 64 { number & ((1 << width) - 1) } else { number };
-                    match signed && number >> (width - 1) & 1 == 1 {
-                        true => format!("-{}", (1_u128 << width) - u128::from(number)),
-                        false => number.to_string(),
-                    }
-                };
-                here.push(shown(self.fields.at(place)));
-                there.push(shown(*golden as u64));
-            }
-            [here.join(" "), there.join(" ")]
+    /// All of it beside what a model has, or `None` if no window comes there.
+    pub fn compare(&mut self, seen: &mut Seen, golden: Option<&Fields>) -> Beside {
+        let Some(golden) = golden else {
+            return Beside { values: vec![compared("window", "another one", "nothing")], net: self.valid.clone() };
         };
+        self.fields.look(seen.sim);
         let golden_planes: Vec<i64> = golden.planes.iter().map(|plane| *plane as i64).collect();
         let [planes, steps, last, bounds] = self.places();
         let [edges, bounds, planes, steps] = [
-            list(&mut (0..), &golden.edges, true),
-            list(&mut (bounds..), &golden.bounds, true),
-            list(&mut (planes..), &golden_planes, false),
-            list(&mut std::iter::once(last).chain(steps..), &golden.steps, false),
+            self.pair(0.., &golden.edges, true),
+            self.pair(bounds.., &golden.bounds, true),
+            self.pair(planes.., &golden_planes, false),
+            self.pair(std::iter::once(last).chain(steps..), &golden.steps, false),
         ];
-        let window = [place(self.square(seen.nets)), place(golden.square)];
-        let pair = |what, [hardware, golden]: [String; 2]| compared(what, hardware, golden);
-        let mut values = vec![pair("window", window), pair("edges", edges), pair("bounds", bounds)];
-        values.push(pair("planes", planes));
-        let steps = pair("steps", steps);
+        let square = self.square(seen.nets);
+        let place = [&edges, &bounds, &planes, &steps].iter().find_map(|pair| pair.differing.first());
+        let net = match (square.differs_in(golden.square), place) {
+            (Some(field), _) => format!("{}_window_{field}", self.port),
+            (None, Some((place, _))) => self.fields.path(*place).to_owned(),
+            (None, None) => self.valid.clone(),
+        };
+        let shown = |Square { size, x, y }: Square| format!("{0}x{0} at {x},{y}", 1_u64 << size.min(32));
+        let mut values = vec![compared("window", shown(square), shown(golden.square))];
+        values.extend([("edges", edges), ("bounds", bounds), ("planes", planes)].map(|(what, pair)| pair.whole(what)));
         // They are the same in all windows of a polygon.
-        values.extend(Some(steps).filter(Compared::differs));
-        values
+        values.extend(self.named(&steps));
+        Beside { values, net }
+    }
+
+    /// Fields at these places beside what a model has.
+    fn pair(&self, places: impl Iterator<Item = usize>, golden: &[i64], signed: bool) -> Pair {
+        let mut pair = Pair::default();
+        for (index, (place, golden)) in places.zip(golden).enumerate() {
+            let width = self.fields.width(place);
+            let shown = |number: u64| {
+                let number = if width < 64 { number & ((1 << width) - 1) } else { number };
+                match signed && number >> (width - 1) & 1 == 1 {
+                    true => format!("-{}", (1_u128 << width) - u128::from(number)),
+                    false => number.to_string(),
+                }
+            };
+            let [hardware, golden] = [self.fields.at(place), *golden as u64].map(shown);
+            if hardware != golden {
+                pair.differing.push((place, index));
+            }
+            pair.hardware.push(hardware);
+            pair.golden.push(golden);
+        }
+        pair
+    }
+
+    /// Those fields that differ, by name.
+    fn named(&self, pair: &Pair) -> Option<Compared> {
+        let beginning = format!("{}_polygon_", self.port);
+        let list = |numbers: &[String]| {
+            let named = pair.differing.iter().map(|&(place, index)| {
+                let path = self.fields.path(place);
+                format!("{} {}", path.strip_prefix(&beginning).unwrap_or(path), numbers[index])
+            });
+            named.collect::<Vec<_>>().join(", ")
+        };
+        let differs = !pair.differing.is_empty();
+        differs.then(|| compared("fields", list(&pair.hardware), list(&pair.golden)))
+    }
+}
+
+impl Pair {
+    fn whole(&self, what: &'static str) -> Compared {
+        compared(what, self.hardware.join(" "), self.golden.join(" "))
     }
 }

@@ -13,6 +13,14 @@ pub(super) struct Square {
     pub y: u32,
 }
 
+impl Square {
+    /// The name of the first field in which another one differs.
+    pub fn differs_in(self, other: Square) -> Option<&'static str> {
+        let pairs = [("size", self.size, other.size), ("x", self.x, other.x), ("y", self.y, other.y)];
+        pairs.into_iter().find(|(_, own, other)| own != other).map(|(name, ..)| name)
+    }
+}
+
 /// The fields of a window and its polygon, each with the lanes that it has. Values are modulo the widths of the hardware's.
 pub(super) struct Fields {
     pub square: Square,

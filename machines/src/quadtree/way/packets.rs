@@ -4,10 +4,11 @@ use std::rc::Rc;
 
 use tilewright_scenes::{Plane, Polygon};
 
-use super::nets::Windows;
+use super::nets::{Beside, Windows};
 use super::{Followed, Seen, Sim, nothing};
 use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared};
+use crate::way::Compared;
 
 /// The ends of a box.
 const ENDS: [&str; 4] = ["left", "top", "right", "bottom"];
@@ -173,11 +174,11 @@ impl Packets {
             });
         };
         let golden = self.followed.fields(packet, self.followed.square(self.followed.format.levels()));
-        let values = self.roots.compare(seen, &golden);
+        let Beside { values, net } = self.roots.compare(seen, Some(&golden));
         let is_told = self.followed.is_told(packet);
-        if is_told || values.iter().any(|it| it.differs()) {
+        if is_told || values.iter().any(Compared::differs) {
             told.check("root", 0, is_told, || {
-                at().step("makes the window of all samples", values).of(Some(number)).on(&self.roots.valid)
+                at().step("makes the window of all samples", values).of(Some(number)).on(net)
             });
         }
     }

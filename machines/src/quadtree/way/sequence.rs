@@ -9,7 +9,7 @@ use super::Seen;
 use super::nets::Windows;
 use super::numbers::{Fields, Square};
 use crate::looks::Looks;
-use crate::told::{At, Edge, Told, compared};
+use crate::told::{At, Edge, Told};
 
 /// Which windows come, and which of them is next.
 pub(super) struct Sequence {
@@ -94,14 +94,12 @@ impl Passage {
             return;
         }
         let packet = self.sequence.packet();
-        let values = match packet {
-            Some(packet) => self.windows.compare(seen, &self.sequence.fields(packet)),
-            None => vec![compared("window", "another one", "nothing")],
-        };
-        if values.iter().any(|it| it.differs()) {
+        let golden = packet.map(|packet| self.sequence.fields(packet));
+        let beside = self.windows.compare(seen, golden.as_ref());
+        if beside.differs() {
             told.check("passage", self.number, false, || {
                 let at = At { unit: self.unit.clone(), block: self.block, edge };
-                at.step("passes a window on", values).of(packet).on(&self.windows.valid)
+                at.step("passes a window on", beside.values).of(packet).on(beside.net)
             });
         }
         if packet.is_some() {

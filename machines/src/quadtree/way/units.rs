@@ -197,14 +197,12 @@ impl Unit {
     /// It takes a window with the sample.
     fn takes(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
         let packet = self.sequence.packet();
-        let values = match packet {
-            Some(packet) => self.works.compare(seen, &self.sequence.fields(packet)),
-            None => vec![compared("window", "another one", "nothing")],
-        };
-        if values.iter().any(|it| it.differs()) {
+        let golden = packet.map(|packet| self.sequence.fields(packet));
+        let beside = self.works.compare(seen, golden.as_ref());
+        if beside.differs() {
             told.check("works", self.number, false, || {
                 let at = At { unit: format!("way to the {}", self.name), block: self.before, edge };
-                at.step("brings a window", values).of(packet).on(&self.works.valid)
+                at.step("brings a window", beside.values).of(packet).on(beside.net)
             });
         }
         if let Some(packet) = packet {
@@ -233,12 +231,17 @@ impl Unit {
         let (square, polygon) = (self.followed.square(size), &self.polygons[packet]);
         let expected = self.followed.may_cover(polygon, square);
         let mut values = vec![compared("passes", yes(!fails), yes(expected))];
+        let mut net = format!("{}.fails", self.path);
         if !fails && expected {
-            values.extend(self.parts.compare(seen, &self.followed.fields(polygon, square)));
+            let beside = self.parts.compare(seen, Some(&self.followed.fields(polygon, square)));
+            if beside.differs() {
+                net = beside.net;
+            }
+            values.extend(beside.values);
         }
         let step = self.at(edge).step(format!("tests the quarter of {0}x{0} samples", 1 << size), values);
         if step.differs() || self.followed.is_told(polygon) {
-            told.tell(step.of(Some(packet)).on(format!("{}.fails", self.path)));
+            told.tell(step.of(Some(packet)).on(net));
         }
     }
 

@@ -208,8 +208,8 @@ impl<S: Sink> Observer for Dump<S> {
             if let Some(rows) = &mut self.rows {
                 rows.leave(&mut self.shown);
             }
-            self.shown.take(view.engine, view.changed);
-            self.words.take(view.engine, view.changed);
+            self.shown.take(&mut **view.engine, view.changed);
+            self.words.take(&**view.engine, view.changed);
             match &mut self.flight {
                 None => self.step(since, until, view.resets),
                 Some(flight) => flight.keep(since, until, [self.shown.limbs(), self.words.limbs()], view.resets),

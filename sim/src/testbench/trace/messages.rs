@@ -95,7 +95,7 @@ impl Messages {
         for number in 0..program.value(display.condition).lanes {
             let place = program.hierarchy.instance(&display.scopes, number / display.group);
             if program.hierarchy.run(place) != self.run
-                || lane(program, view.engine, display.condition, number).is_zero()
+                || lane(program, &mut **view.engine, display.condition, number).is_zero()
             {
                 continue;
             }
@@ -105,7 +105,7 @@ impl Messages {
                     Piece::Text(plain) => text += plain,
                     Piece::Value(format) => {
                         let (value, kind) = *values.next().expect("a value for each place");
-                        text += &format.write(&lane(program, view.engine, value, number), kind);
+                        text += &format.write(&lane(program, &mut **view.engine, value, number), kind);
                     }
                 }
             }

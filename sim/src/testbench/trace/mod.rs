@@ -20,7 +20,7 @@ mod waveform;
 mod words;
 
 use crate::engine::program::{Program, Triggers};
-use crate::engine::{Done, Engine};
+use crate::engine::{Done, Started};
 use crate::testbench::error::Error;
 
 pub(crate) use dump::Dump;
@@ -39,7 +39,7 @@ pub use waveform::{Fst, Trace, Vcd};
 /// The view of an observer: the circuit settled before an edge.
 pub(crate) struct View<'a> {
     pub program: &'a Program,
-    pub engine: &'a mut dyn Engine,
+    pub engine: &'a mut Started,
     /// The last instant, in picoseconds: the start of the present values.
     pub since: u64,
     /// The coming instant.

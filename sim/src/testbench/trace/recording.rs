@@ -59,7 +59,7 @@ impl Observer for Recorder {
             self.recording.lock().expect("no panic while recording").initial = self.start.initial(view, self.run);
         }
         let mut all =
-            |ports: &[Port]| ports.iter().map(|port| bits(view.engine, program, port.value, self.run)).collect();
+            |ports: &[Port]| ports.iter().map(|port| bits(&mut **view.engine, program, port.value, self.run)).collect();
         let step = Step {
             time_ps: view.until,
             rising: view.rising.to_vec(),

@@ -320,7 +320,7 @@ impl Observer for Draw {
         if data.is_over || view.until <= data.times.start {
             return Ok(());
         }
-        data.sample(view.program, view.engine, view.since, view.until);
+        data.sample(view.program, &mut **view.engine, view.since, view.until);
         Ok(())
     }
 

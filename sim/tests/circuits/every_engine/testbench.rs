@@ -362,7 +362,8 @@ fn equal_seeds_start_alike_and_others_do_not() {
 
 #[test]
 fn a_run_in_one_piece_is_as_many_steps() {
-    for kind in [EngineKind::Reference, EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Both] {
+    use EngineKind::{Both, Compiled, Interpreter, Reference, Tiered};
+    for kind in [Reference, Interpreter, Compiled, Tiered, Both] {
         let mut pieces = Simulation::of(&Counter { width: 8, limit: 200 }).unwrap().on(kind);
         let mut whole = Simulation::of(&Counter { width: 8, limit: 200 }).unwrap().on(kind);
         for sim in [&mut pieces, &mut whole] {
@@ -379,8 +380,8 @@ fn a_run_in_one_piece_is_as_many_steps() {
 #[test]
 fn without_generated_code_the_interpreter_runs_and_says_why() {
     let sim = Simulation::of(&COUNTER).unwrap();
-    assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Compiled, None));
-    for chosen in [EngineKind::Compiled, EngineKind::Both] {
+    assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Tiered, None));
+    for chosen in [EngineKind::Compiled, EngineKind::Tiered, EngineKind::Both] {
         let mut sim = Simulation::of(&COUNTER).unwrap().on(chosen).without_code("it is a typewriter").seeded(3);
         assert_eq!((sim.engine(), sim.fallback()), (EngineKind::Interpreter, Some("it is a typewriter")));
         sim.set(sim.i.enable, 1);
