@@ -10,6 +10,7 @@ use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
 use crate::testbench::trace::{
     ClockLine, Draw, Dump, Format, FstFile, Messages, Recorder, Source, Start, Trace, VcdFile, Wave, Window, header,
+    watched,
 };
 
 /// An item of a wave: a port, or anything with a name.
@@ -176,6 +177,9 @@ impl Running {
         };
         let values: Vec<_> = header.variables.iter().map(|variable| variable.value).collect();
         self.engine.watch(&values);
+        if !header.words.is_empty() {
+            self.engine.watch(&watched(&self.program, &header.words));
+        }
         // Rows have no words.
         let rows = if header.words.is_empty() { self.engine.take_in_rows(&values) } else { None };
         let Trace { format, path, file, last, .. } = trace;

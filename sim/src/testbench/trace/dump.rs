@@ -209,11 +209,13 @@ impl<S: Sink> Observer for Dump<S> {
                 rows.leave(&mut self.shown);
             }
             self.shown.take(&mut **view.engine, view.changed);
-            self.words.take(&**view.engine, view.changed);
+            self.words.take(view);
             match &mut self.flight {
                 None => self.step(since, until, view.resets),
                 Some(flight) => flight.keep(since, until, [self.shown.limbs(), self.words.limbs()], view.resets),
             }
+        } else {
+            self.words.leave();
         }
         Ok(())
     }

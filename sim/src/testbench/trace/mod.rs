@@ -35,6 +35,7 @@ pub(crate) use wave::{ClockLine, Draw, Source};
 pub use wave::{Wave, WaveLine, WaveLines};
 pub(crate) use waveform::{Format, Window};
 pub use waveform::{Fst, Trace, Vcd};
+pub(crate) use words::watched;
 
 /// The view of an observer: the circuit settled before an edge.
 pub(crate) struct View<'a> {

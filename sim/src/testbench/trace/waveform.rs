@@ -9,6 +9,8 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::words::MOST_WORDS;
+
 /// The contents of a waveform file, from [`Vcd::to`] or [`Fst::to`]. Attach it with
 /// [`Simulation::trace`](crate::Simulation::trace).
 ///
@@ -161,6 +163,13 @@ impl Fst {
 }
 
 impl Trace {
+    /// The most words of memories in a file.
+    ///
+    /// ```
+    /// assert_eq!(tilewright_sim::Trace::MOST_WORDS, 4096);
+    /// ```
+    pub const MOST_WORDS: u64 = MOST_WORDS;
+
     fn to(format: Format, path: &Path, file: Option<File>) -> Trace {
         let (path, file) = (path.to_path_buf(), file.map(Arc::new));
         Trace { format, path, file, patterns: Vec::new(), words: Vec::new(), window: None, last: None }

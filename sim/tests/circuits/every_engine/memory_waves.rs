@@ -153,6 +153,21 @@ fn a_part_of_the_time_and_a_flight_recorder_have_words_too() {
 }
 
 #[test]
+fn a_word_that_is_poked_is_shown_although_no_port_writes_it() {
+    let mut sim = of(&Stores);
+    sim.trace(Vcd::to(path("poked.vcd")).only("to").words("u_store[0].wide", 0..8)).unwrap();
+    for clock in 0..12 {
+        if clock == 5 {
+            sim.poke_memory("u_store[0].wide", 6, 1_u128 << 40).unwrap();
+        }
+        run(&mut sim, clock);
+    }
+    sim.finish().unwrap();
+    let changes = &read("poked.vcd")["u_store[0].wide[6]"];
+    assert!(changes.contains(&(50_000, 1 << 40)), "{changes:?}");
+}
+
+#[test]
 fn a_file_without_words_is_as_it_was() {
     traced(Vcd::to(path("without.vcd")), 8);
     traced(Vcd::to(path("with.vcd")).words("**.wide", 0..1), 8);
