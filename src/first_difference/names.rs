@@ -3,6 +3,7 @@
 use super::file::Waves;
 use super::lanes;
 use std::collections::{BTreeMap, HashSet};
+use std::rc::Rc;
 
 /// The greatest depth of a scope that may be the top of what both files have.
 const DEEPEST: usize = 3;
@@ -53,18 +54,10 @@ pub type Signals<'a> = BTreeMap<Key<'a>, &'a Signal<'a>>;
 pub fn matched(files: [&Waves; 2]) -> Matched {
     let signals = files.map(signals);
     let tops = [0, 1].map(|side| tops(&signals[side]));
-    let mut best = (0, [&[][..]; 2]);
-    // One of both is an outermost scope, or the file itself.
-    for (first, second) in pairs_of(&tops) {
-        let known = below(&signals[0], first);
-        let count = keys_below(&signals[1], second).filter(|(key, _)| known.contains_key(key)).count();
-        // Of several such scopes, the inner ones have the shorter names.
-        if count > 0 && count >= best.0 {
-            best = (count, [first, second]);
-        }
-    }
-    let depths = best.1.map(<[String]>::len);
-    let mut rest = [0, 1].map(|side| below(&signals[side], best.1[side]));
+    let sorted = [0, 1].map(|side| Sorted::new(&signals[side]));
+    let best = common_tops(&sorted, &tops);
+    let depths = best.map(<[String]>::len);
+    let mut rest: [Signals; 2] = [0, 1].map(|side| sorted[side].below(best[side]).collect());
     let mut pairs = Vec::new();
     for (key, signal) in rest[0].clone() {
         if let Some(other) = rest[1].remove(&key) {
@@ -79,6 +72,28 @@ pub fn matched(files: [&Waves; 2]) -> Matched {
     pairs.sort_by(|one, other| one.name.cmp(&other.name));
     let only = [0, 1].map(|side| rest[side].values().map(|signal| signal.name(depths[side])).collect());
     Matched { pairs, only }
+}
+
+/// The scopes below which most names are the same. One of both is an outermost scope, or the file itself.
+fn common_tops<'a>(sorted: &[Sorted<'a>; 2], tops: &[Vec<&'a [String]>; 2]) -> [&'a [String]; 2] {
+    let outer = |side: usize| tops[side].iter().copied().filter(|scope| scope.len() < 2);
+    let mut choices = Vec::new();
+    for side in 0..2 {
+        for scope in outer(side) {
+            let known: Rc<HashSet<Key>> = Rc::new(sorted[side].below(scope).map(|(key, _)| key).collect());
+            choices.extend(tops[1 - side].iter().map(|other| (side, scope, *other, known.clone())));
+        }
+    }
+    choices.sort_by_key(|(_, scope, other, _)| scope.len() + other.len());
+    let mut best = (0, [&[][..]; 2]);
+    for (side, scope, other, known) in choices {
+        let count = sorted[1 - side].below(other).filter(|(key, _)| known.contains(key)).count();
+        // Of several such scopes, the inner ones have the shorter names.
+        if count > 0 && count >= best.0 {
+            best = (count, if side == 0 { [scope, other] } else { [other, scope] });
+        }
+    }
+    best.1
 }
 
 fn signals(file: &Waves) -> Vec<Signal<'_>> {
@@ -112,7 +127,7 @@ fn canonical(path: &[String]) -> Vec<String> {
 }
 
 /// A path as `why` takes it: without the scope that Verilog has in each element of an array.
-fn name(path: &[String]) -> String {
+pub fn name(path: &[String]) -> String {
     let is_lane = |at: usize| at > 0 && at + 1 < path.len() && path[at] == "lane" && path[at - 1].ends_with(']');
     let parts: Vec<&str> = (0..path.len()).filter(|at| !is_lane(*at)).map(|at| path[at].as_str()).collect();
     parts.join(".")
@@ -135,20 +150,22 @@ fn tops<'a>(signals: &'a [Signal]) -> Vec<&'a [String]> {
     tops
 }
 
-fn pairs_of<'a>(tops: &[Vec<&'a [String]>; 2]) -> Vec<(&'a [String], &'a [String])> {
-    let outer = |side: usize| tops[side].iter().copied().filter(|scope| scope.len() < 2);
-    let mut pairs: Vec<_> = outer(0).flat_map(|one| tops[1].iter().map(move |other| (one, *other))).collect();
-    pairs.extend(outer(1).flat_map(|one| tops[0].iter().map(move |other| (*other, one))));
-    pairs.sort_by_key(|(one, other)| one.len() + other.len());
-    pairs
-}
+/// The signals of a file by path: those below a scope are adjacent.
+struct Sorted<'a>(Vec<&'a Signal<'a>>);
 
-fn keys_below<'a>(signals: &'a [Signal<'a>], top: &'a [String]) -> impl Iterator<Item = (Key<'a>, &'a Signal<'a>)> {
-    signals.iter().filter_map(move |signal| Some(((signal.path.strip_prefix(top)?, signal.width), signal)))
-}
+impl<'a> Sorted<'a> {
+    fn new(signals: &'a [Signal<'a>]) -> Sorted<'a> {
+        let mut sorted: Vec<&Signal> = signals.iter().collect();
+        sorted.sort_by(|one, other| one.path.cmp(&other.path));
+        Sorted(sorted)
+    }
 
-fn below<'a>(signals: &'a [Signal<'a>], top: &'a [String]) -> Signals<'a> {
-    keys_below(signals, top).collect()
+    /// The signals below a scope.
+    fn below(&self, top: &'a [String]) -> impl Iterator<Item = (Key<'a>, &'a Signal<'a>)> {
+        let start = self.0.partition_point(|signal| signal.path[..] < *top);
+        let below = self.0[start..].iter().map_while(move |signal| Some((signal.path.strip_prefix(top)?, *signal)));
+        below.map(|(path, signal)| ((path, signal.width), signal))
+    }
 }
 
 #[cfg(test)]
