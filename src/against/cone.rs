@@ -15,7 +15,7 @@ pub struct Cone {
     pub pairs: Vec<usize>,
     /// The causes of its value in our run; nothing for a clock or a reset.
     pub cause: Option<Cause>,
-    /// What its value comes from in the same clock, as far as that was not compared, such as words of memories. All else
+    /// What its value comes from in the same clock, as far as that was not compared. All else
     /// that it comes from is the same in both runs.
     pub uncompared: Vec<String>,
     /// For each line of the tree, the other value if it is another one.
@@ -39,7 +39,9 @@ impl Cone {
         let names = pairs.iter().map(|pair| (both.pairs[*pair].name.as_str(), *pair)).collect();
         let differing = Differing { names, both, state: &state };
         // A clock or a reset has no cause, and comes last.
-        let Some(any) = pairs.iter().copied().find(|pair| sim.peek(both.pairs[*pair].name.as_str()).is_ok()) else {
+        let limits = Limits { depth: 0, nodes: 1, ..Limits::default() };
+        let has_cause = |pair: &usize| sim.why_within(both.pairs[*pair].name.as_str(), &limits).is_ok();
+        let Some(any) = pairs.iter().copied().find(has_cause) else {
             return Ok(Cone { pairs, cause: None, uncompared: Vec::new(), others: Vec::new() });
         };
         let (origin, uncompared) = differing.origin(&mut sim, any)?;

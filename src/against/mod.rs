@@ -6,6 +6,7 @@ mod files;
 mod other;
 mod report;
 mod run;
+mod words;
 
 use crate::block::{BlockArguments, design};
 use crate::engine::EngineArguments;
@@ -16,7 +17,7 @@ use clap::builder::{OsStringValueParser, TypedValueParser};
 use cone::Cone;
 pub use files::run as run_of_files;
 use other::Other;
-use report::Compared;
+use report::{Compared, Memories};
 use run::{Instant, Run};
 use std::path::PathBuf;
 use tilewright_hdl::catalog::{Entry, Values};
@@ -77,7 +78,10 @@ impl Ours {
     fn compare(self, theirs: &Waves, is_printed: bool, same: Option<&str>, json: bool) -> Result<Exit, Failure> {
         progress::phase("comparing");
         let files: [&Waves; 2] = [&self.run.waves, theirs];
-        let matched = checked(self.run.comparable(matched(files), is_printed), files)?;
+        let mut matched = checked(self.run.comparable(matched(files), is_printed), files)?;
+        let lacking = self.run.words.lacking(&mut matched.only);
+        // Of two files, neither has to have words.
+        let lacking = if same.is_some() { Vec::new() } else { lacking };
         let both = Both::new(files, &matched.pairs);
         let instants = self.run.instants_of(&both);
         if instants.is_empty() {
@@ -86,7 +90,9 @@ impl Ours {
         let place = first_difference(&both, &instants);
         let cone = place.map(|place| Cone::at(&self.design, &self.scenario, &both, &instants[place]));
         let (entry, values) = (self.entry, &self.values);
-        let compared = Compared { entry, values, same, both: &both, matched: &matched, instants: &instants, place };
+        let memories = Memories { words: &self.run.word_variables, left_out: &self.run.words.left_out, lacking };
+        let (both, matched, instants) = (&both, &matched, &instants[..]);
+        let compared = Compared { entry, values, same, both, matched, memories, instants, place };
         compared.print(cone.transpose()?.as_ref(), json)?;
         match (self.run.failed, place) {
             (Some(failed), _) => Err(failed),

@@ -9,7 +9,7 @@ use crate::shell::{Exit, Failure, interrupt, progress};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use tilewright_gen::tools::{DumpError, Simulator};
-use tilewright_gen::{VerilogFile, testbench, verilog};
+use tilewright_gen::{VerilogFile, verilog};
 use tilewright_hdl::{Design, Scenario};
 use tilewright_sim::EngineKind;
 
@@ -120,9 +120,10 @@ fn simulated(simulator: Simulator, design: &Design, ours: &Run, edited: &[Verilo
     for file in edited {
         replace(&mut files, file)?;
     }
-    let bench = testbench(design, &ours.recording);
     progress::phase("running the Verilog");
-    let dump = simulator.dump(&files, &bench, &interrupt::asked).map_err(|error| failure(error, !edited.is_empty()))?;
+    let memories: Vec<(&str, u32)> = ours.words.lanes().collect();
+    let dumped = simulator.dump((design, &ours.recording), &files, &memories, &interrupt::asked);
+    let dump = dumped.map_err(|error| failure(error, !edited.is_empty()))?;
     Ok(Waves::read(&dump.path())?.named(simulator.name()))
 }
 

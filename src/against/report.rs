@@ -3,13 +3,14 @@
 use super::cone::Cone;
 use super::run::Instant;
 use crate::first_difference::{
-    self, AFTER, BEFORE, Both, Columns, Differing, MOST, Matched, Row, differing, lines, waves,
+    self, AFTER, BEFORE, Both, Columns, Differing, MOST, Matched, Row, differing, lines, listed, waves,
 };
 use crate::shell::{Failure, terminal};
 use crate::why::node;
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use tilewright_hdl::catalog::{Entry, Values};
+use tilewright_sim::Trace;
 
 /// Two runs that were compared.
 pub struct Compared<'a> {
@@ -19,10 +20,21 @@ pub struct Compared<'a> {
     pub same: Option<&'a str>,
     pub both: &'a Both<'a>,
     pub matched: &'a Matched,
+    pub memories: Memories<'a>,
     /// The instants that were compared.
     pub instants: &'a [Instant],
     /// The first one that differs.
     pub place: Option<usize>,
+}
+
+/// What was compared of memories.
+pub struct Memories<'a> {
+    /// The variables of our run that are words.
+    pub words: &'a HashSet<u32>,
+    /// The memories for whose words there is no room.
+    pub left_out: &'a [String],
+    /// Those of which the other run lacks words.
+    pub lacking: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -38,8 +50,14 @@ struct Report<'a> {
     /// The signals and the clocks that were compared.
     signals: usize,
     clocks: usize,
+    /// The words of memories that were compared.
+    words: usize,
     /// The signals that only one run has.
     only: &'a [Vec<String>; 2],
+    /// The memories for whose words there is no room.
+    left_out: &'a [String],
+    /// Those of which the other run lacks words.
+    lacking: &'a [String],
     difference: Option<Difference<'a>>,
 }
 
@@ -52,7 +70,7 @@ struct Difference<'a> {
     signals: Vec<Differing>,
     /// The causes of its value, as `why --json` has them.
     cause: Option<serde_json::Value>,
-    /// What its value comes from in the same clock and was not compared, such as words of memories.
+    /// What its value comes from in the same clock and was not compared.
     uncompared: &'a [String],
 }
 
@@ -68,7 +86,7 @@ impl Compared<'_> {
         } else {
             let names = self.both.files.map(|file| file.name.as_str());
             let same = self.same.map(|file| format!("tilewright has the same run of {} as {file}\n", self.entry.name));
-            let head = same.unwrap_or_default() + &first_difference::only(names, self.matched);
+            let head = same.unwrap_or_default() + &first_difference::only(names, self.matched) + &self.not_compared();
             terminal::print(&(head + &first.map_or_else(|| self.same(), |(instant, cone)| self.text(instant, cone))))
         }
     }
@@ -87,20 +105,57 @@ impl Compared<'_> {
             parameters: self.values.iter().collect(),
             runs: self.both.files.map(|file| file.name.as_str()),
             same: self.same,
-            signals: self.both.pairs.len(),
+            signals: self.both.pairs.len() - self.words(),
             clocks: self.instants.len(),
+            words: self.words(),
             only: &self.matched.only,
+            left_out: self.memories.left_out,
+            lacking: &self.memories.lacking,
             difference,
         }
     }
 
     fn same(&self) -> String {
-        let (signals, clocks) = (first_difference::signals(self.both.pairs.len()), self.instants.len());
-        format!("no difference in {signals} and {clocks} clock{}\n", if clocks == 1 { "" } else { "s" })
+        let clocks = self.instants.len();
+        let counts = self.counts().join(", ");
+        format!("no difference in {counts} and {clocks} clock{}\n", if clocks == 1 { "" } else { "s" })
+    }
+
+    /// The numbers of signals and of words that were compared, as text.
+    fn counts(&self) -> Vec<String> {
+        let signals = first_difference::signals(self.both.pairs.len() - self.words());
+        let words = match self.words() {
+            0 => None,
+            1 => Some("1 word of a memory".to_owned()),
+            words => Some(format!("{words} words of memories")),
+        };
+        [signals].into_iter().chain(words).collect()
+    }
+
+    /// The number of words of memories that were compared.
+    fn words(&self) -> usize {
+        self.both.pairs.iter().filter(|pair| self.memories.words.contains(&pair.variables[0])).count()
+    }
+
+    /// Lines on the memories whose words were not compared.
+    fn not_compared(&self) -> String {
+        let Memories { left_out, lacking, .. } = &self.memories;
+        let of = |memories: &[String]| match memories {
+            [memory] => format!("the memory {memory}"),
+            memories => format!("the memories {}", listed(memories)),
+        };
+        let mut text = String::new();
+        if !lacking.is_empty() {
+            text += &format!("only in {}: words of {}\n", self.both.files[0].name, of(lacking));
+        }
+        if !left_out.is_empty() {
+            text += &format!("not compared: words of {}, as the limit is {} words\n", of(left_out), Trace::MOST_WORDS);
+        }
+        text
     }
 
     fn text(&self, instant: &Instant, cone: &Cone) -> String {
-        let (count, of) = (cone.pairs.len(), first_difference::signals(self.both.pairs.len()));
+        let (count, of) = (cone.pairs.len(), self.counts().join(" and "));
         let cycle = instant.cycle.map(|cycle| format!("in cycle {cycle}, ")).unwrap_or_default();
         let mut text = format!("the first difference is {cycle}at {} ps, in {count} of {of}:\n", instant.picoseconds);
         text += &lines(self.both, &cone.pairs, instant.until - 1);

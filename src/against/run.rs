@@ -1,9 +1,11 @@
 //! A run in our simulator, with all of its signals.
 
+use super::words::Words;
 use crate::block::simulation;
 use crate::first_difference::{Both, Matched, Waves};
 use crate::player::{check_length, play};
 use crate::shell::{Exit, Failure};
+use std::collections::HashSet;
 use tempfile::TempDir;
 use tilewright_hdl::{Design, Recording, Scenario};
 use tilewright_sim::{EngineKind, Vcd};
@@ -14,6 +16,10 @@ const UNUSED: &str = "_unused_ok";
 /// A run that was played to its end.
 pub struct Run {
     pub waves: Waves,
+    /// The words of memories in it.
+    pub words: Words,
+    /// Their variables in the waveform.
+    pub word_variables: HashSet<u32>,
     /// What a testbench needs to play it again.
     pub recording: Recording,
     /// The ports of the clocks, and the period of the first one in picoseconds.
@@ -44,7 +50,8 @@ impl Run {
         let mut sim = simulation(design, engine)?;
         check_length(&sim, scenario, "a comparison")?;
         let recorder = sim.recording();
-        sim.trace(Vcd::to(&path))?;
+        let words = Words::of(sim.program());
+        sim.trace(words.trace(Vcd::to(&path)))?;
         let played = play(&mut sim, scenario, u64::MAX);
         sim.finish()?;
         let failed = match played {
@@ -54,7 +61,8 @@ impl Run {
         let waves = Waves::read(&path)?.named(name);
         let clocks = &sim.program().clocks;
         let (ports, period) = (clocks.iter().map(|clock| clock.port.clone()), clocks.first().map(|clock| clock.period));
-        Ok(Run { waves, recording: recorder.take(), clocks: ports.collect(), period, failed })
+        let (word_variables, recording) = (words.variables(&waves), recorder.take());
+        Ok(Run { waves, words, word_variables, recording, clocks: ports.collect(), period, failed })
     }
 
     /// The same without what no run has to have. A testbench chooses the levels of clocks between their edges. Of codes the numbers are

@@ -201,6 +201,8 @@ impl Reading {
     }
 
     fn signal(&mut self, name: String, width: u32, variable: u32) {
+        // Icarus escapes the brackets of a word of a memory.
+        let name = name.strip_prefix('\\').map_or(name.clone(), str::to_owned);
         let path = self.path.iter().cloned().chain([name]).collect();
         self.waves.signals.push(Signal { path, width, variable });
         if self.widths.len() <= variable as usize {

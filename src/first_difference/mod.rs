@@ -8,7 +8,7 @@ mod text;
 
 pub use compare::{Both, State};
 pub use file::Waves;
-pub use names::{Matched, matched};
+pub use names::{Matched, matched, name};
 pub use text::{AFTER, BEFORE, Columns, Row, cell, waves};
 
 use crate::shell::{Exit, Failure, terminal};
@@ -159,7 +159,7 @@ pub fn signals(count: usize) -> String {
 }
 
 /// The first of these names, and how many there are more.
-fn listed(names: &[String]) -> String {
+pub fn listed(names: &[String]) -> String {
     let more = names.len().saturating_sub(MOST);
     let first = names[..names.len() - more].join(", ");
     if more > 0 { format!("{first} and {more} more") } else { first }

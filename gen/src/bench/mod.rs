@@ -15,7 +15,9 @@ pub use start::{Net, nets};
 
 use crate::VerilogFile;
 use crate::verilog::{Names, packed_width};
+use std::collections::BTreeSet;
 use tilewright_circuit::ir::Design;
+use tilewright_circuit::recording::Initial;
 use tilewright_circuit::{Bits, Recording};
 
 /// Prints a testbench that replays a run: a module `TOP_tb` (`TOP_tb_2` if the design has a module `TOP_tb`), for
@@ -54,6 +56,20 @@ pub fn testbench(design: &Design, recording: &Recording) -> VerilogFile {
     design.modules().iter().for_each(|module| modules.take(&module.name));
     let name = modules.fresh(&format!("{}_tb", design.top().name));
     VerilogFile { text: text::print(design, recording, &name), name: format!("{name}.v") }
+}
+
+/// The words of memories, given by path and depth, as the testbench of a design names them: `dut.u_row.held[3]`. A
+/// memory that nothing reads is not printed and has none. Lanes of a memory that share a word have it once.
+pub fn words(design: &Design, memories: &[(&str, u32)]) -> Vec<String> {
+    let initial = |(path, depth): &(&str, u32)| Initial {
+        path: (*path).to_owned(),
+        address: 0,
+        words: vec![Bits::zero(1); *depth as usize],
+    };
+    let initial: Vec<Initial> = memories.iter().map(initial).collect();
+    let (dut, mut known) = (text::instance(design), BTreeSet::new());
+    let all = nets(design, &initial).into_iter().flatten().map(|net| format!("{dut}.{}", net.name));
+    all.filter(|net| known.insert(net.clone())).collect()
 }
 
 /// A recording that does not fit would make a testbench that passes or fails for the wrong reason.

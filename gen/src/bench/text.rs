@@ -44,6 +44,11 @@ pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
     text + "endmodule\n`default_nettype wire\n"
 }
 
+/// The name of the design's instance in its testbench.
+pub fn instance(design: &Design) -> String {
+    Bench::new(design.top(), &Recording::default()).0.own("dut").to_owned()
+}
+
 struct Bench<'a> {
     recording: &'a Recording,
     clocks: Vec<&'a str>,

@@ -2,7 +2,8 @@
 
 use super::run::{Verilator, is_installed, lacks, sources};
 use super::{Missing, WITH_MODELS, run_watched};
-use crate::VerilogFile;
+use crate::bench::words;
+use crate::{VerilogFile, testbench};
 use std::fmt;
 use std::fs::File;
 use std::io;
@@ -10,6 +11,8 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
+use tilewright_circuit::Recording;
+use tilewright_circuit::ir::Design;
 
 /// The files of a run beside the Verilog.
 const WAVEFORM: &str = "run.vcd";
@@ -18,6 +21,9 @@ const PROGRAM: &str = "bench.vvp";
 
 /// The C++ runs once and takes long to compile.
 const MAKE_FLAGS: &str = "VM_PARALLEL_BUILDS=0 OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0";
+
+/// The widest signal in Verilator's waveforms, in bits. Without it they have none of more than 256.
+const WIDEST: &str = "1048576";
 
 /// A simulator of Verilog.
 ///
@@ -145,8 +151,9 @@ impl Simulator {
         }
     }
 
-    /// Runs a testbench to its end, and returns the waveform of all its signals. The run is not judged: it may end with
-    /// mismatches. `stop` is asked again and again whether to stop it.
+    /// Replays a recording of a design in its testbench, and returns the waveform of all signals, with the words of
+    /// these memories, given by path and depth. A file that was edited by hand may lack some of them. The run is not
+    /// judged: it may end with mismatches. `stop` is asked again and again whether to stop it.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -162,8 +169,7 @@ impl Simulator {
     /// # };
     /// # let recording = Recording { steps: vec![at(10_000, 5, 0), at(20_000, 0, 5)], initial: vec![] };
     ///
-    /// let (files, bench) = (tilewright_gen::verilog(&design), tilewright_gen::testbench(&design, &recording));
-    /// match Simulator::Icarus.dump(&files, &bench, &|| false) {
+    /// match Simulator::Icarus.dump((&design, &recording), &tilewright_gen::verilog(&design), &[], &|| false) {
     ///     Ok(dump) => assert!(std::fs::read_to_string(dump.path()).unwrap().contains(" held ")),
     ///     Err(error) => assert!(matches!(error, DumpError::Missing(_)), "{error}"),
     /// }
@@ -172,18 +178,34 @@ impl Simulator {
     /// # Errors
     ///
     /// It is not installed, does not take the Verilog, or is stopped.
-    pub fn dump(self, files: &[VerilogFile], bench: &VerilogFile, stop: &dyn Fn() -> bool) -> Result<Dump, DumpError> {
+    pub fn dump(
+        self,
+        (design, recording): (&Design, &Recording),
+        files: &[VerilogFile],
+        memories: &[(&str, u32)],
+        stop: &dyn Fn() -> bool,
+    ) -> Result<Dump, DumpError> {
         if let Some(missing) = self.missing() {
             return Err(DumpError::Missing(missing));
         }
         let folder = TempDir::with_prefix("tilewright-")?;
-        let bench = dumping(bench);
-        for file in files.iter().chain([&bench]) {
-            std::fs::write(folder.path().join(&file.name), &file.text)?;
-        }
+        let write = |file: &VerilogFile| std::fs::write(folder.path().join(&file.name), &file.text);
+        files.iter().try_for_each(write)?;
         let run = Run { tool: self.name(), folder: folder.path(), stop };
-        let mut compile = self.compile(&bench, files);
-        if let Err(output) = run.run(&mut compile)? {
+        let (bench, deepest) = (testbench(design, recording), memories.iter().map(|memory| memory.1).max());
+        let mut compile = self.compile(&bench, files, deepest.unwrap_or(0));
+        let mut compiled = |words: &[String]| {
+            write(&dumping(&bench, words))?;
+            run.run(&mut compile)
+        };
+        // Verilator takes whole arrays by itself.
+        let words = if self == Simulator::Icarus { words(design, memories) } else { Vec::new() };
+        let mut taken = compiled(&words)?;
+        if taken.is_err() && !words.is_empty() {
+            // An edited file may lack a memory. If it has another fault, this tells that one.
+            taken = compiled(&[])?;
+        }
+        if let Err(output) = taken {
             return Err(DumpError::Refused { tool: self.name(), output });
         }
         // A failing assertion ends the run with a status of its own.
@@ -195,7 +217,8 @@ impl Simulator {
         Ok(Dump(folder))
     }
 
-    fn compile(self, bench: &VerilogFile, files: &[VerilogFile]) -> Command {
+    /// The command that compiles, with memories of so many words in the waveform.
+    fn compile(self, bench: &VerilogFile, files: &[VerilogFile], deepest: u32) -> Command {
         // The testbench is read first: its time unit holds for the files after it.
         let all = [bench.name.as_str()].into_iter().chain(sources(files));
         let top = bench.name.trim_end_matches(".v");
@@ -208,6 +231,7 @@ impl Simulator {
             Simulator::Verilator => {
                 let mut command = verilator().expect("it is installed");
                 command.args(["--binary", "--trace", "-j", "2", "--timescale", "1ps/1ps", WITH_MODELS]);
+                command.args(["--trace-max-array", &deepest.to_string(), "--trace-max-width", WIDEST]);
                 // A hand-edited file may have what a linter would not have.
                 command.args(["-Wno-fatal", "-Wno-lint", "-Wno-style", "--Mdir", "build", "-o", "program"]);
                 command.args(["--top-module", top, "-CFLAGS", "-O0", "-MAKEFLAGS", MAKE_FLAGS]).args(all);
@@ -234,11 +258,12 @@ fn verilator() -> Option<Command> {
     installed(Verilator::System).or_else(|| installed(Verilator::Python))
 }
 
-/// The testbench that writes the waveform, with its time unit said.
-fn dumping(bench: &VerilogFile) -> VerilogFile {
+/// The testbench that writes the waveform with these words, with its time unit said.
+fn dumping(bench: &VerilogFile, words: &[String]) -> VerilogFile {
     let end = bench.text.rfind("endmodule").unwrap_or(bench.text.len());
     let (body, rest) = bench.text.split_at(end);
-    let dump = format!("    initial begin\n        $dumpfile(\"{WAVEFORM}\");\n        $dumpvars;\n    end\n");
+    let words: String = words.iter().map(|word| format!("        $dumpvars(0, {word});\n")).collect();
+    let dump = format!("    initial begin\n        $dumpfile(\"{WAVEFORM}\");\n        $dumpvars;\n{words}    end\n");
     VerilogFile { name: bench.name.clone(), text: format!("`timescale 1ps/1ps\n{body}{dump}{rest}") }
 }
 
@@ -287,8 +312,9 @@ mod tests {
     #[test]
     fn the_waveform_is_written_before_the_testbench_ends() {
         let bench = VerilogFile { name: "a_tb.v".to_owned(), text: "module a_tb;\nendmodule\n`x\n".to_owned() };
-        let text = dumping(&bench).text;
-        let places = ["`timescale", "module a_tb;", "$dumpvars;", "endmodule\n`x"].map(|part| text.find(part));
+        let text = dumping(&bench, &["dut.words[3]".to_owned()]).text;
+        let places = ["`timescale", "module a_tb;", "$dumpvars;", "$dumpvars(0, dut.words[3]);", "endmodule\n`x"]
+            .map(|part| text.find(part));
         assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{text}");
     }
 }
