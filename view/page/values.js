@@ -15,6 +15,15 @@ const isChanged = (net, step) => step > 0 && valueAt(net, step) !== valueAt(net,
 /** A value of at most so many characters. */
 const shortened = (text, most) => text.length <= most ? text : `${text.slice(0, Math.max(1, most - 1))}…`;
 
+/** A name of at most so many characters: names of one record differ at their ends. */
+const shortenedName = (name, most) => {
+    const kept = Math.max(2, most - 1), head = Math.floor(kept / 3);
+    return name.length <= kept + 1 ? name : `${name.slice(0, head)}…${name.slice(name.length - kept + head)}`;
+};
+
+/** The part of a window that names take at most, and pixels of a character of one; its cell has so many more. */
+const NAMES = { part: 0.45, letter: 8.9, padding: 20 };
+
 /** Clocks that are shown beside the present one, on wide and on narrow windows. */
 const BESIDE = { wide: 4, narrow: 1 };
 
@@ -40,7 +49,9 @@ class Values {
             className: `value${it === step ? " now" : ""}${it !== null && isChanged(net, it) ? " changed" : ""}`,
             title: it === null ? "" : valueAt(net, it),
         }, it === null ? "" : valueAt(net, it)));
-        const row = make("tr", {}, make("th", { scope: "row" }, net.name), ...cells, make("td", {}, make("code", {}, net.source ?? "")));
+        const most = Math.floor((NAMES.part * innerWidth - NAMES.padding) / NAMES.letter);
+        const name = make("th", { scope: "row", title: net.name, "aria-label": net.name }, shortenedName(net.name, most));
+        const row = make("tr", {}, name, ...cells, make("td", {}, make("code", {}, net.source ?? "")));
         row.classList.toggle("asked", !!net.asked);
         return row;
     }

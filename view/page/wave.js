@@ -58,7 +58,7 @@ class Wave {
 
     line(svg, net, top, right) {
         const [high, low] = [top + 5, top + LINE - 6], middle = (high + low) / 2;
-        const name = shape("text", { class: `name${net.asked ? " asked" : ""}`, x: 2, y: top + LINE - 9 }, shortened(net.name, Math.floor((this.left - 8) / LETTER)));
+        const name = shape("text", { class: `name${net.asked ? " asked" : ""}`, x: 2, y: top + LINE - 9 }, shortenedName(net.name, Math.floor((this.left - 8) / LETTER)));
         name.append(shape("title", {}, net.name));
         svg.append(name);
         const isBit = net.width === 1 && net.changes.every(([, value]) => value === "0" || value === "1");

@@ -75,6 +75,58 @@ fn no_faults(tab: &mut Tab) {
     }
 }
 
+/// A box of several nets has the word of a stream while it is valid, or no value. A value stands where no arrow ends.
+#[test]
+fn a_value_stands_beside_its_own_name_and_on_no_arrow() {
+    let Some(mut tab) = tab() else { return };
+    let served = Served::new(Pair);
+    tab.open(&served.address, 1280, "light");
+    tab.until(IS_LOADED);
+    let place = r#"(() => {
+        const box = (y, title, name) => `<g><title>${title}</title><rect class="box" x="10" y="${y}" width="60" height="40"/>
+            <text class="name" x="15" y="${y + 16}">${name}</text></g>`;
+        const arrow = y => `<g><path class="line" d="M150 ${y} H75"/><path class="head" d="M70 ${y} l7 -3.2 v6.3 Z"/>
+            <text class="label" x="80" y="${y - 2}">label</text></g>`;
+        const net = (name, ...changes) => ({ name, changes: changes.map((value, step) => [step, value]) });
+        globalThis.placed = [net("word_ready", "1"), net("word_valid", "0", "1"), net("word_payload", "5", "abc"),
+            net("both_valid", "0", "1"), net("both_x", "6"), net("both_y", "7"), net("of_0", "8"), net("of_1", "9"), net("late", "3", "4")];
+        const svg = arrow(20) + box(10, "word_ready\nword_valid\nword_payload", "word") + arrow(70) + box(60, "both_valid\nboth_x\nboth_y", "both")
+            + box(110, "of_0\nof_1", "of[*] ×2") + arrow(170) + box(160, "late", "late");
+        block.diagram.place(`<svg xmlns="http://www.w3.org/2000/svg" width="200" height="220">${svg}</svg>`, placed, []);
+    })()"#;
+    tab.value(place);
+    let drawn = |step: u32| {
+        format!(
+            "(block.diagram.draw(placed, {step}, null), [...document.querySelectorAll('.of-net')].map(it => it.textContent))"
+        )
+    };
+    assert_eq!(tab.value(&drawn(0)), json!(["3"]));
+    assert_eq!(tab.value(&drawn(1)), json!(["abc", "valid", "4"]));
+    let covered = "[...document.querySelectorAll('.of-net')].filter(value => {
+        const one = value.getBoundingClientRect();
+        return [...document.querySelectorAll('.head, .label')].map(it => it.getBoundingClientRect()).some(other =>
+            one.left < other.right && other.left < one.right && one.top + 3 < other.bottom && other.top < one.bottom - 3);
+    }).map(it => it.textContent)";
+    assert_eq!(tab.value(covered), json!([]));
+}
+
+/// Fields of a record have long names that differ at their ends.
+#[test]
+fn a_long_name_keeps_its_end() {
+    let Some(mut tab) = tab() else { return };
+    let served = Served::new(Pair);
+    tab.open(&served.address, 390, "light");
+    tab.until(IS_LOADED);
+    tab.value(
+        "block.data.nets.forEach((net, number) => { net.name = `works_polygon_plane_x[${number}]`; }); block.draw()",
+    );
+    assert_eq!(tab.value(&format!("{NAMES}[2]")), json!("works…_plane_x[2]"));
+    assert_eq!(tab.value("document.querySelector('.nets tbody th').title"), json!("works_polygon_plane_x[0]"));
+    let shown = tab.value("document.querySelector('.wave .name').firstChild.textContent");
+    assert!(shown.as_str().is_some_and(|name| name.starts_with("work") && name.ends_with("…plane_x[0]")), "{shown}");
+    no_faults(&mut tab);
+}
+
 /// The values stand on the diagram, and the cursor of the wave follows the clock, by keys and by clicks.
 #[test]
 fn the_diagram_and_the_wave_show_the_clock() {
