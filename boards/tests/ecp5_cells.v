@@ -74,16 +74,19 @@ module DP16KD (
 
     reg [17:0] rows [0:1023];
     reg [17:0] a, b;
+    // Port B reads two rows of 18 bits as one of 36.
+    reg [35:0] both;
     wire [13:0] ada = {ADA13, ADA12, ADA11, ADA10, ADA9, ADA8, ADA7, ADA6, ADA5, ADA4, ADA3, ADA2, ADA1, ADA0}, adb = {ADB13, ADB12, ADB11, ADB10, ADB9, ADB8, ADB7, ADB6, ADB5, ADB4, ADB3, ADB2, ADB1, ADB0};
     wire [17:0] dia = {DIA17, DIA16, DIA15, DIA14, DIA13, DIA12, DIA11, DIA10, DIA9, DIA8, DIA7, DIA6, DIA5, DIA4, DIA3, DIA2, DIA1, DIA0}, dib = {DIB17, DIB16, DIB15, DIB14, DIB13, DIB12, DIB11, DIB10, DIB9, DIB8, DIB7, DIB6, DIB5, DIB4, DIB3, DIB2, DIB1, DIB0};
-    assign {DOA17, DOA16, DOA15, DOA14, DOA13, DOA12, DOA11, DOA10, DOA9, DOA8, DOA7, DOA6, DOA5, DOA4, DOA3, DOA2, DOA1, DOA0} = a;
-    assign {DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6, DOB5, DOB4, DOB3, DOB2, DOB1, DOB0} = b;
+    assign {DOA17, DOA16, DOA15, DOA14, DOA13, DOA12, DOA11, DOA10, DOA9, DOA8, DOA7, DOA6, DOA5, DOA4, DOA3, DOA2, DOA1, DOA0} = DATA_WIDTH_B == 36 ? both[17:0] : a;
+    assign {DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6, DOB5, DOB4, DOB3, DOB2, DOB1, DOB0} = DATA_WIDTH_B == 36 ? both[35:18] : b;
 
     integer place;
     task start(input integer first, input [319:0] slice);
         for (place = 0; place < 16; place = place + 1) rows[16 * first + place] = slice[20 * place +: 18];
     endtask
     initial begin
+        {a, b, both} = 72'b0;
         start(0, INITVAL_00);
         start(1, INITVAL_01);
         start(2, INITVAL_02);
@@ -164,12 +167,25 @@ module DP16KD (
         mask = width == 18 ? {{9{at[1]}}, {9{at[0]}}} : ((18'd1 << width) - 18'd1) << low(width, at);
     endfunction
 
+    // What the tops do not use is not modelled.
+    task refuse;
+        begin
+            $display("a DP16KD is used in a way that its model does not have");
+            $finish;
+        end
+    endtask
+    initial if (WRITEMODE_A == "WRITETHROUGH" || WRITEMODE_B == "WRITETHROUGH") refuse;
+    initial if (CLKAMUX == "INV" || CLKBMUX == "INV" || REGMODE_A != "NOREG" || REGMODE_B != "NOREG") refuse;
+    always @(posedge CLKA) if (RSTA || (CEA && WEA && DATA_WIDTH_A == 36)) refuse;
+    always @(posedge CLKB) if (RSTB) refuse;
+
     always @(posedge CLKA) if (CEA) begin
         if (!WEA || WRITEMODE_A == "READBEFOREWRITE") a <= rows[ada[13:4]] >> low(DATA_WIDTH_A, ada);
         if (WEA) rows[ada[13:4]] <= rows[ada[13:4]] & ~mask(DATA_WIDTH_A, ada)
             | dia << low(DATA_WIDTH_A, ada) & mask(DATA_WIDTH_A, ada);
     end
     always @(posedge CLKB) if (CEB) begin
+        both <= {rows[{adb[13:5], 1'b1}], rows[{adb[13:5], 1'b0}]};
         if (!WEB || WRITEMODE_B == "READBEFOREWRITE") b <= rows[adb[13:4]] >> low(DATA_WIDTH_B, adb);
         if (WEB) rows[adb[13:4]] <= rows[adb[13:4]] & ~mask(DATA_WIDTH_B, adb)
             | dib << low(DATA_WIDTH_B, adb) & mask(DATA_WIDTH_B, adb);
@@ -188,6 +204,10 @@ module MULT18X18D (
     parameter REG_INPUTA_CLK = "NONE", REG_INPUTB_CLK = "NONE", REG_INPUTC_CLK = "NONE", REG_PIPELINE_CLK = "NONE";
     parameter REG_OUTPUT_CLK = "NONE", CLK0_DIV = "ENABLED", MULT_BYPASS = "DISABLED", GSR = "ENABLED", RESETMODE = "SYNC";
     parameter SOURCEB_MODE = "B_SHIFT", HIGHSPEED_CLK = "NONE", CAS_MATCH_REG = "FALSE";
+    initial if ({REG_INPUTA_CLK, REG_INPUTB_CLK, REG_PIPELINE_CLK, REG_OUTPUT_CLK} != "NONENONENONENONE") begin
+        $display("a MULT18X18D has registers, which its model does not have");
+        $finish;
+    end
     wire [17:0] a = {A17, A16, A15, A14, A13, A12, A11, A10, A9, A8, A7, A6, A5, A4, A3, A2, A1, A0}, b = {B17, B16, B15, B14, B13, B12, B11, B10, B9, B8, B7, B6, B5, B4, B3, B2, B1, B0};
     assign {P35, P34, P33, P32, P31, P30, P29, P28, P27, P26, P25, P24, P23, P22, P21, P20, P19, P18, P17, P16, P15, P14, P13, P12, P11, P10, P9, P8, P7, P6, P5, P4, P3, P2, P1, P0} = {{18{SIGNEDA & a[17]}}, a} * {{18{SIGNEDB & b[17]}}, b};
 endmodule

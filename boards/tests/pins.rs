@@ -54,12 +54,6 @@ pub fn of_netlist<B: Block>(top: &B, bits: usize) -> Option<Lines> {
     Some(lines(&said(icarus, folder.path(), &ECP5, &name, &NETLIST, bits)?))
 }
 
-/// Like [`of_netlist`], as Verilator runs it: better for a machine.
-pub fn of_large_netlist<B: Block>(top: &B, bits: usize) -> Option<Lines> {
-    let (folder, name) = netlist(top, &ECP5)?;
-    Some(lines(&said(verilator, folder.path(), &ECP5, &name, &NETLIST, bits)?))
-}
-
 /// What the PMOD of an iCEBreaker takes from the netlist, as Verilator runs it; `None` without Yosys with its models, or
 /// without Verilator.
 pub fn of_pmod<B: Block>(top: &B, pixels: usize) -> Option<Vec<Seen>> {
@@ -74,10 +68,10 @@ pub fn of_pmod<B: Block>(top: &B, pixels: usize) -> Option<Vec<Seen>> {
     Some(words.skip_while(|word| *word == 0).map(levels).collect())
 }
 
-/// The four lines of the pins as a nibble for each bit. They are unknown at first.
+/// The four lines of the pins as a nibble for each bit, from where all are known: a memory without contents is shown at first.
 fn lines(said: &str) -> Lines {
-    let nibbles: Vec<u32> =
-        said.trim_start_matches(['x', 'X']).chars().map(|digit| digit.to_digit(16).expect(said)).collect();
+    let known = said.rsplit(['x', 'X']).next().unwrap_or_default();
+    let nibbles: Vec<u32> = known.chars().map(|digit| digit.to_digit(16).expect(said)).collect();
     std::array::from_fn(|lane| nibbles.iter().map(|nibble| nibble >> lane & 1 == 1).collect())
 }
 
@@ -105,8 +99,9 @@ fn netlist<B: Block>(top: &B, chip: &Chip) -> Option<(TempDir, String)> {
         return None;
     }
     let (folder, name, files) = printed(top);
-    let script =
-        format!("read_verilog {}; {} -top {name}; write_verilog -noattr netlist.v", files.join(" "), chip.pass);
+    // Where each bit of a wire has its own driver, a simulator makes all bits anew whenever one changes.
+    let write = "splitnets; write_verilog -noattr netlist.v";
+    let script = format!("read_verilog {}; {} -top {name}; {write}", files.join(" "), chip.pass);
     assert_eq!(run(folder.path(), Command::new("yosys").args(["-q", "-p", &script])).trim(), "");
     let models = std::fs::read_to_string(chip.models).unwrap();
     let models = chip.unused.iter().fold(models, |models, name| without(&models, name));

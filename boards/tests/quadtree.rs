@@ -9,6 +9,7 @@ use tilewright_boards::quadtree::{
 };
 use tilewright_boards::receiver::{Frame, frames, received};
 use tilewright_rtl::parameter::Screen;
+use tilewright_rtl::quadtree::format::Matrix;
 use tilewright_sim::Simulation;
 
 /// A screen of that size, with short blankings.
@@ -41,11 +42,12 @@ fn steps_shown(frames: Vec<Frame>) -> Vec<(Frame, usize)> {
     runs.split_off(1)
 }
 
-/// A small machine for a ULX3S, and what it draws.
-fn small_ulx3s() -> (QuadtreeOnUlx3s, Vec<Step>) {
-    let OnBoard { mut picture, steps } = for_ulx3s(Screen { width: 32, height: 24 }, &cube(5)).unwrap();
+/// A small machine for a ULX3S with that matrix and picture, and what it draws.
+fn small_ulx3s([columns, rows]: [u32; 2], [width, height]: [u32; 2]) -> (QuadtreeOnUlx3s, Vec<Step>) {
+    let matrix = Matrix::new(columns, rows).unwrap();
+    let OnBoard { mut picture, steps } = for_ulx3s(matrix, Screen { width, height }, &cube(5)).unwrap();
     picture.refreshes = 2;
-    (QuadtreeOnUlx3s { picture, timing: small(64, 48) }, steps)
+    (QuadtreeOnUlx3s { picture, timing: small(2 * width, 2 * height) }, steps)
 }
 
 /// Three steps or more are shown, each twice.
@@ -60,8 +62,19 @@ fn golden_steps(frames: Vec<Frame>, steps: &[Step]) {
 
 #[test]
 fn a_ulx3s_shows_the_golden_pictures_of_a_turning_scene() {
-    let (top, steps) = small_ulx3s();
+    let (top, steps) = small_ulx3s([4, 4], [32, 24]);
     golden_steps(frames(&seen(&top, 5 * 8 * clocks(64, 48))), &steps);
+}
+
+/// Banks of 108 words are block RAMs, as those of the board are. Each of the two is shown.
+#[test]
+fn the_netlist_of_a_small_ulx3s_shows_the_golden_pictures_too() {
+    let (top, steps) = small_ulx3s([2, 2], [24, 18]);
+    if let Some(lines) = pins::of_netlist(&top, 10 * 6 * clocks(48, 36)) {
+        let runs = steps_shown(frames(&received(&lines).unwrap()));
+        let [first, second] = [0, 1].map(|step| on_screen(&steps[step], 2, 3));
+        assert!(runs == [(first, 2), (second, 1)]);
+    }
 }
 
 /// The windows of a quadtree of three levels that are visited if these pass.

@@ -59,14 +59,14 @@ fn the_board_shows_the_golden_frame() {
     assert_eq!(steps(scene, &frames), [Some(0)]);
 }
 
-/// Yosys and Verilator take about a minute: `cargo test -p tilewright-boards --test all netlist -- --ignored`.
+/// Yosys and Icarus take 34 seconds of a processor: `cargo test -p tilewright-boards --test all netlist -- --ignored`.
 #[test]
-#[ignore = "takes a minute"]
+#[ignore = "takes 34 seconds"]
 fn the_netlist_of_a_small_machine_shows_the_golden_frame() {
     let top = small([40, 28], 2);
     let VideoTiming { columns, rows } = &top.timing;
     let refresh = 10 * (columns.total() * rows.total()) as usize;
-    if let Some(lines) = pins::of_large_netlist(&top, 2 * refresh + refresh / 4) {
+    if let Some(lines) = pins::of_netlist(&top, 2 * refresh + refresh / 4) {
         let frames = frames(&received(&lines).unwrap());
         assert_eq!(steps(&top.picture.scene, &frames), [Some(0)]);
     }

@@ -45,16 +45,16 @@ impl Shown {
     }
 }
 
-/// The machine for a ULX3S: 4 x 4 compact video processors, with words of 18 bits. Its scene is as large as the
-/// machine's memory allows.
+/// The machine for a ULX3S: a matrix of compact video processors, 2 or more along each side, with words of 18 bits. Its
+/// scene is as large as the machine's memory allows.
 ///
 /// # Errors
 ///
 /// The scene does not fit the machine's numbers.
-pub fn for_ulx3s(pixels: Pixels, turning: &Turning) -> Result<OnBoard, ParameterError> {
+pub fn for_ulx3s(matrix: Matrix, pixels: Pixels, turning: &Turning) -> Result<OnBoard, ParameterError> {
     // A multiplier has 18 bits.
     let precision = Precision { position: 9, slope: 14, edge: 23, plane: 18, depth: 9, colour: 3 };
-    let format = Format::new(pixels, Matrix::new(4, 4)?, 3)?.with_precision(precision)?;
+    let format = Format::new(pixels, matrix, 3)?.with_precision(precision)?;
     let steps = turning.set_up(&format)?;
     let machine = Machine::Compact(CompactGenerator { format }, Lanes::new(format, &steps));
     Ok(Shown { refreshes: 8, scale: 1, clock: ulx3s::SLOW }.on_board(machine, &format, turning, steps))
@@ -75,13 +75,13 @@ pub fn for_icebreaker(pixels: Pixels, turning: &Turning) -> Result<OnBoard, Para
     Ok(Shown { refreshes: 8, scale: 2, clock: icebreaker::MACHINE }.on_board(machine, &format, turning, steps))
 }
 
-/// The machine and the scene of the ULX3S: the teapot at 320 x 240 pixels.
+/// The machine and the scene of the ULX3S: 4 x 4 video processors, and the teapot at 320 x 240 pixels.
 ///
 /// # Errors
 ///
 /// As [`for_ulx3s`].
 pub fn quadtree_on_ulx3s() -> Result<OnBoard, ParameterError> {
-    for_ulx3s(Pixels { width: 320, height: 240 }, &teapot())
+    for_ulx3s(Matrix::new(4, 4)?, Pixels { width: 320, height: 240 }, &teapot())
 }
 
 /// The machine and the scene of the iCEBreaker: a cube at 160 x 120 pixels.
