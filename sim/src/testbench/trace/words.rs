@@ -70,8 +70,8 @@ impl Words {
     pub fn take(&mut self, view: &mut View) {
         // A poke or a jump in time says that everything may have changed.
         match self.due.take().filter(|_| view.changed != Triggers::ALL) {
-            Some(due) => due.into_iter().for_each(|index| self.take_word(view.engine, index)),
-            None => (0..self.words.len()).for_each(|index| self.take_word(view.engine, index)),
+            Some(due) => due.into_iter().for_each(|index| self.take_word(&**view.engine, index)),
+            None => (0..self.words.len()).for_each(|index| self.take_word(&**view.engine, index)),
         }
         self.due = Some(self.written(view));
     }
