@@ -95,7 +95,7 @@ fn every_stimulus_of_several_at_once() {
         let measured =
             measure(name.parse().unwrap(), Rivals::default(), effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
         let names: Vec<&str> = measured.simulators.iter().map(|it| it.simulator.as_str()).collect();
-        assert!(names[0].ends_with(" at once") && names[1] == "tiered engine", "{names:?}");
+        assert!(names[0].ends_with(" at once") && names[1] == "compiled engine", "{names:?}");
     }
 }
 
