@@ -7,7 +7,7 @@ type Size = &'static [(&'static str, u64)];
 const DEFAULT: &[Size] = &[&[]];
 
 /// The sizes of a block, of which the table has those up to the first that fits. Many blocks of the machines have the sizes of their
-/// papers. Arrays of processors and whole machines, for which Yosys takes long there, and the blocks of the library have defaults.
+/// papers. Some are smaller, so that the device suffices and the tools end within minutes. All other blocks have defaults.
 pub fn sizes(block: &str) -> &'static [Size] {
     match block {
         "vc1" => &[&[("width", 64), ("height", 48), ("pages", 64)]],
@@ -19,13 +19,15 @@ pub fn sizes(block: &str) -> &'static [Size] {
         "scan-counter" | "crt-read-out" => &[&[("width", 640), ("height", 480)]],
         "image-merger" => &[&[("units", 16)]],
         "gfb-unit" => &[&[("width", 160), ("height", 120), ("units", 16)]],
-        "accumulating-gfb-unit" => {
-            &[&[("width", 160), ("height", 120), ("units", 16)], &[("width", 96), ("height", 72), ("units", 16)]]
-        }
+        "accumulating-gfb-unit" => &[&[("width", 24), ("height", 18), ("units", 16)]],
         "gfb-sequencer" => &[&[("width", 640), ("height", 480), ("units", 16)]],
         "accumulation" => &[&[("width", 160), ("height", 120)]],
-        "quadtree-set-up" | "quadtree-stack" | "quadtree-pipe" | "coverage-test" | "quadtree-pixel"
-        | "video-controller" => &[&[("width", 640), ("height", 480), ("columns", 4), ("rows", 4)]],
+        "quadtree-generator" => &[&[("width", 160), ("height", 120), ("columns", 1), ("rows", 1), ("stack", 8)]],
+        "quadtree-pipe" => &[&[("width", 64), ("height", 64), ("columns", 16), ("rows", 16)]],
+        "quadtree-tree" => &[&[("width", 64), ("height", 64), ("columns", 16), ("rows", 16), ("queue", 1)]],
+        "quadtree-set-up" | "quadtree-stack" | "coverage-test" | "quadtree-pixel" | "video-controller" => {
+            &[&[("width", 640), ("height", 480), ("columns", 4), ("rows", 4)]]
+        }
         "raster-processor" | "video-processor" => {
             &[&[("width", 640), ("height", 480), ("columns", 4), ("rows", 4), ("stack", 8)]]
         }
@@ -33,7 +35,9 @@ pub fn sizes(block: &str) -> &'static [Size] {
             &[("width", 640), ("height", 480), ("columns", 4), ("rows", 4)],
             &[("width", 160), ("height", 120), ("columns", 4), ("rows", 4)],
         ],
-        "ring" | "region-allocator" => &[&[("renderers", 16)]],
+        "pixel-planes-5" => &[&[("width", 16), ("height", 8), ("renderers", 2), ("side", 8)]],
+        "ring" => &[&[("renderers", 8)]],
+        "region-allocator" => &[&[("renderers", 16)]],
         "image-generation-controller" => &[&[("side", 128)]],
         "array-controller" => &[&[("line", 128), ("lines", 64)]],
         "command-dma" => &[&[("words", 4096)]],
