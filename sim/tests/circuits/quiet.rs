@@ -136,3 +136,78 @@ fn parts_keep_their_order_and_what_others_take_of_them() {
         sim.get(sim.o.word);
     }
 }
+
+block! {
+    /// A chain of registers of eight numbers, each with a flag that says whether it is full.
+    struct Chain { seed: u64 }
+    in ChainIn { valid: bit(), ready: bit(), x: bits(16) }
+    out ChainOut { y: bits(16), full: bit() }
+}
+
+impl Chain {
+    fn build(&self, m: Module, i: ChainIn) -> ChainOut {
+        let mut random = Random::new(self.seed);
+        let links = 3 + random.below(4) as usize;
+        let fulls: Vec<_> = (0..links).map(|link| m.reg(&format!("full{link}"), bit()).reset(0)).collect();
+        let words: Vec<_> = (0..links).map(|link| m.reg(&format!("word{link}"), bits(16).of(row(8)))).collect();
+        for link in 0..links {
+            let (comes, value) = match link.checked_sub(1) {
+                None => (i.valid, i.x.of(row(8)) + constants(bits(16).of(row(8)), |lane| u64::from(lane) * 777)),
+                Some(before) => (*fulls[before], *words[before] + random.below(999)),
+            };
+            let leaves = fulls.get(link + 1).map_or(i.ready, |next| !**next);
+            let takes = comes & !*fulls[link];
+            fulls[link].next(mux(takes, 1, *fulls[link] & !leaves));
+            match random.below(3) {
+                0 => drop(words[link].when(takes, value)),
+                1 => words[link].next(mux(takes, value, mux(leaves & i.valid, *words[link] ^ 5, *words[link]))),
+                _ => words[link].next(select([(takes, value)], *words[link])),
+            }
+        }
+        ChainOut { y: words[links - 1].xor_all(), full: *fulls[links - 1] }
+    }
+}
+
+block! {
+    /// Some such chains, each with flags of its own.
+    struct Chains { seed: u64 }
+    in ChainsIn { valid: bits(16), ready: bits(16), x: bits(16) }
+    out ChainsOut { y: bits(16), full: bit() }
+}
+
+impl Chains {
+    fn build(&self, m: Module, i: ChainsIn) -> ChainsOut {
+        let lanes = row(16);
+        let chains = m.array("u_chain", lanes, &Chain { seed: self.seed }, |_| ChainIn {
+            valid: i.valid.unpack(lanes),
+            ready: i.ready.unpack(lanes),
+            x: i.x.of(lanes),
+        });
+        ChainsOut { y: chains.y.xor_all(), full: chains.full.or_all() }
+    }
+}
+
+/// Most of the words of a chain wait, and which of them move is another flag in each lane.
+#[test]
+fn loops_rest_while_no_lane_has_a_flag() {
+    let mut rest = 0;
+    for seed in 0..24 {
+        let design = elaborate(&Chains { seed }).unwrap();
+        let mut random = Random::new(seed);
+        let passes = Passes { looks_after: random.one(&[3, u64::MAX]), ..Passes::default() };
+        let branched = explain(&design, &passes).into_iter().find(|it| it.pass == Pass::Branch).unwrap().text;
+        rest += usize::from(branched.contains("= or of 16 lanes of") && branched.contains("1: nothing"));
+        let mut sim = Simulation::with_passes(&design, &passes).unwrap().seeded(seed).on(EngineKind::Both);
+        let ports = ["valid", "ready", "x"].map(|name| sim.port(name).unwrap());
+        let y = sim.port("y").unwrap();
+        for step in 0..80 {
+            let busy = if step % 20 < 9 { 0 } else { 1 << 16 };
+            let numbers =
+                [random.below(busy + 1) & random.below(busy + 1), random.below(busy + 1), random.below(1 << 16)];
+            ports.into_iter().zip(numbers).for_each(|(port, number)| sim.set(port, number & 0xffff));
+            sim.try_run(random.one(&[1, 1, 3])).unwrap_or_else(|error| panic!("{error}, at step {step} of {seed}"));
+            sim.get(y);
+        }
+    }
+    assert!(rest > 16, "loops rest in {rest} circuits");
+}

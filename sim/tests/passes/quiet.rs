@@ -29,9 +29,9 @@ fn quiet() {
         r"
         an edge of clk:
         stage 0
-          one lane: %6 %v15 %v16
+          one lane: %6 %v14 %v15
           loop over 2048 lanes: in 2 loops
-            a loop: by %v15
+            a loop: by %v14
               0: by op
                 0, 3: nothing
                 1:
@@ -41,7 +41,7 @@ fn quiet() {
                   %1 : 2048 x 8 = sum ^ %0
                   sum <- %1
               1: nothing
-            a loop: by %v16
+            a loop: by %v15
               0: by write
                 0: nothing
                 1:
