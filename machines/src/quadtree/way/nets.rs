@@ -166,3 +166,52 @@ impl Pair {
         compared(what, self.hardware.join(" "), self.golden.join(" "))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quadtree::config::Config;
+    use crate::quadtree::hardware::Hardware;
+    use crate::quadtree::way::Followed;
+    use tilewright_scenes::{Scene, Size, project_polygons};
+
+    #[test]
+    fn a_field_that_differs_is_named_and_asked_about() {
+        let (scene, size) = (Scene::builtin("star").unwrap(), Size::new(8, 6).unwrap());
+        let packets = project_polygons(&scene, size).unwrap().polygons;
+        let config = Config { matrix: (1, 1), ..Config::for_packets(size, &packets) };
+        let mut hardware = Hardware::new(&config.generator().unwrap()).unwrap();
+        hardware.reset(false).unwrap();
+        let format = config.format().unwrap();
+        let (levels, room) = (format.levels(), format.edges() as usize);
+        let followed = Followed { format, pixel: 28, processor: 0, column: 0, row: 0, x: 4, y: 3 };
+        let (mut nets, port) = (Looks::default(), "u_processor[0].u_set_up.roots");
+        let mut windows = Windows::of(&mut nets, port, &followed.format);
+        hardware.present(&packets[0]);
+        nets.look(&mut hardware.sim);
+        for _ in 0..50 {
+            if !windows.is_valid(&nets) {
+                hardware.step().unwrap();
+                nets.look(&mut hardware.sim);
+            }
+        }
+        let mut golden = followed.fields(&packets[0], followed.square(levels));
+        let mut compare = |golden: &Fields| {
+            let beside = windows.compare(&mut Seen { sim: &mut hardware.sim, nets: &nets }, Some(golden));
+            let first = beside.values.into_iter().find(Compared::differs);
+            (beside.net, first.map(|it| (it.what, it.hardware, it.golden.unwrap_or_default())))
+        };
+        assert_eq!(compare(&golden), (format!("{port}_valid"), None));
+        // Behind the last edge are the steps along both axes, and then the two flags.
+        let (was, right) = (golden.steps[1], 1 + 2 * room + 1);
+        golden.steps[1] += 7;
+        golden.steps[right] ^= 1;
+        let shown = |step: i64, flag: i64| format!("step_x[0] {step}, right[1] {flag}");
+        let differs = ("fields", shown(was, 1 - golden.steps[right]), shown(was + 7, golden.steps[right]));
+        assert_eq!(compare(&golden), (format!("{port}_polygon_step_x[0]"), Some(differs)));
+        golden.edges[2] += 1;
+        assert_eq!(compare(&golden).0, format!("{port}_window_edges[2]"));
+        golden.square.y += 1;
+        assert_eq!(compare(&golden).0, format!("{port}_window_y"));
+    }
+}

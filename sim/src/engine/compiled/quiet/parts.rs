@@ -81,7 +81,7 @@ pub(super) fn parts(function: &Function, plan: &Plan, kernel: &Kernel) -> Vec<Pa
 
 impl Part {
     /// The loop of it, or nothing where it rests.
-    pub fn kernel(&self, function: &Function, of: &Kernel) -> Kernel {
+    pub(super) fn kernel(&self, function: &Function, of: &Kernel) -> Kernel {
         let mut cells = self.cells.clone();
         // A value that costs nothing is computed wherever it is used.
         for &id in of.cells.iter().rev() {
