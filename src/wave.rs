@@ -50,7 +50,7 @@ and signed values are decimal. Codes are always shown by name.
 It compares the time that both files have, and takes an unknown bit (x) for any other. With a block, as in `wave fifo --diff before.vcd after.vcd`, it takes the causes of the first
 difference from the block, as --against does. For that, one of the files has to be a waveform of the block's run.
 
---against compares the run with another one of the same scenario, in all signals and words of memories that both have, just before each edge of a clock. The other run is that of the printed Verilog in a simulator, of
+--against compares the run with another one of the same scenario, just before each edge of a clock. It compares all signals and words of memories that both have. The other run is that of the printed Verilog in a simulator, of
 another engine, or of a waveform file, such as one that was written before an edit. Below the first difference stand the waves around it and the causes of the value at which
 it begins. With --verilog FILE, the simulator runs the modules of that file in place of the printed ones, such as a copy that was edited by hand.
 

@@ -149,11 +149,11 @@
 //! [`EngineKind::Tiered`]: an interpreter runs the circuit at once, and machine code takes over in a long run.
 //! [`Simulation::on`] selects another. All engines give the same results. [`EngineKind::Reference`] is the simplest
 //! one, and defines the correct results. [`EngineKind::Interpreter`] is faster, and [`EngineKind::Compiled`] makes
-//! machine code at once. On a machine for which no code can be generated the interpreter replaces it.
-//! [`Simulation::engine`] tells which engine runs, and [`Simulation::fallback`] why. [`EngineKind::Both`] runs machine
-//! code beside the reference and ends with [`Error::Differs`] at the first signal that differs. An instance array runs
-//! in vector lanes, all instances at once. `sim/docs/engine.md` describes the generated code and how to build for wider
-//! vectors. [`Passes`] switches optimisations off, for tests.
+//! machine code at once. Where no code can be generated, the interpreter replaces it. Then [`Simulation::engine`] says
+//! so, and [`Simulation::fallback`] says why. [`EngineKind::Both`] runs machine code beside the reference and ends with
+//! [`Error::Differs`] at the first signal that differs. An instance array runs in vector lanes, all instances at once.
+//! `sim/docs/engine.md` describes the generated code and how to build for wider vectors. [`Passes`] switches
+//! optimisations off, for tests.
 //!
 //! # The cost of a testbench
 //!

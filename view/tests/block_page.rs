@@ -35,12 +35,18 @@ return [...document.querySelectorAll('.wave .clock')].find(it => box(it).left >=
 
 const IS_LOADED: &str = "block.data !== null && document.querySelectorAll('.nets tr').length === 4";
 
+/// The page of the pair, at that width and in that colour scheme; `None` without a browser.
+fn pair_on_a_page(width: u32, scheme: &str) -> Option<(Served, Tab)> {
+    let mut tab = tab()?;
+    let served = Served::new(Pair);
+    tab.open(&served.address, width, scheme);
+    tab.until(IS_LOADED);
+    Some((served, tab))
+}
+
 #[test]
 fn the_page_steps_through_a_block() {
-    let Some(mut tab) = tab() else { return };
-    let served = Served::new(Pair);
-    tab.open(&served.address, 1280, "light");
-    tab.until(IS_LOADED);
+    let Some((_served, mut tab)) = pair_on_a_page(1280, "light") else { return };
     assert_eq!((tab.text("h1"), tab.text("#scenario")), ("pair".to_owned(), "The run: two sums.".to_owned()));
     // What the block does stands in the head alone.
     assert_eq!(
@@ -78,10 +84,7 @@ fn no_faults(tab: &mut Tab) {
 /// A box of several nets has the word of a stream while it is valid, or no value. A value stands where no arrow ends.
 #[test]
 fn a_value_stands_beside_its_own_name_and_on_no_arrow() {
-    let Some(mut tab) = tab() else { return };
-    let served = Served::new(Pair);
-    tab.open(&served.address, 1280, "light");
-    tab.until(IS_LOADED);
+    let Some((_served, mut tab)) = pair_on_a_page(1280, "light") else { return };
     let place = r#"(() => {
         const box = (y, title, name) => `<g><title>${title}</title><rect class="box" x="10" y="${y}" width="60" height="40"/>
             <text class="name" x="15" y="${y + 16}">${name}</text></g>`;
@@ -113,10 +116,7 @@ fn a_value_stands_beside_its_own_name_and_on_no_arrow() {
 /// Fields of a record have long names that differ at their ends.
 #[test]
 fn a_long_name_keeps_its_end() {
-    let Some(mut tab) = tab() else { return };
-    let served = Served::new(Pair);
-    tab.open(&served.address, 390, "light");
-    tab.until(IS_LOADED);
+    let Some((_served, mut tab)) = pair_on_a_page(390, "light") else { return };
     tab.value(
         "block.data.nets.forEach((net, number) => { net.name = `works_polygon_plane_x[${number}]`; }); block.draw()",
     );
@@ -130,10 +130,7 @@ fn a_long_name_keeps_its_end() {
 /// The values stand on the diagram, and the cursor of the wave follows the clock, by keys and by clicks.
 #[test]
 fn the_diagram_and_the_wave_show_the_clock() {
-    let Some(mut tab) = tab() else { return };
-    let served = Served::new(Pair);
-    tab.open(&served.address, 1280, "dark");
-    tab.until(IS_LOADED);
+    let Some((_served, mut tab)) = pair_on_a_page(1280, "dark") else { return };
     let written = "[...document.querySelectorAll('.of-net')].map(it => it.textContent)";
     assert_eq!((tab.value(written), tab.value(UNDER_CURSOR)), (json!(["0", "0"]), json!("0")));
     tab.press("ArrowRight");
@@ -168,10 +165,7 @@ fn the_diagram_and_the_wave_show_the_clock() {
 
 #[test]
 fn units_inside_are_opened_and_left() {
-    let Some(mut tab) = tab() else { return };
-    let served = Served::new(Pair);
-    tab.open(&served.address, 1280, "light");
-    tab.until(IS_LOADED);
+    let Some((_served, mut tab)) = pair_on_a_page(1280, "light") else { return };
     assert_eq!(tab.value("document.querySelector('.trail').hidden"), true);
     tab.press("ArrowRight");
     tab.press("ArrowRight");

@@ -112,8 +112,7 @@ impl Started {
 
     /// The circuit at its start, with another engine or another beginning.
     pub fn again(&self, chosen: EngineKind, beginning: Beginning) -> Started {
-        let (program, refused, code) = (self.program.clone(), self.refused.clone(), self.code.clone());
-        Started::of(program, chosen, refused, beginning, code, self.early.given())
+        self.anew(chosen, self.refused.clone(), beginning, self.early.given())
     }
 
     /// The circuit at its start, beside this one.
@@ -124,14 +123,16 @@ impl Started {
 
     /// Acts as on a machine for which no code can be generated, for the given reason.
     pub fn refuse(&self, reason: &str) -> Started {
-        let (program, beginning) = (self.program.clone(), self.beginning.clone());
-        Started::of(program, self.chosen, Some(reason.to_owned()), beginning, self.code.clone(), None)
+        self.anew(self.chosen, Some(reason.to_owned()), self.beginning.clone(), None)
     }
 
     /// The same on two tiers, of which the second one begins after this number of edges.
     pub fn code_after(&self, edges: u64) -> Started {
-        let (program, refused, beginning) = (self.program.clone(), self.refused.clone(), self.beginning.clone());
-        Started::of(program, EngineKind::Tiered, refused, beginning, self.code.clone(), Some(edges))
+        self.anew(EngineKind::Tiered, self.refused.clone(), self.beginning.clone(), Some(edges))
+    }
+
+    fn anew(&self, chosen: EngineKind, refused: Option<String>, beginning: Beginning, edges: Option<u64>) -> Started {
+        Started::of(self.program.clone(), chosen, refused, beginning, self.code.clone(), edges)
     }
 
     /// The requested engine.
@@ -189,13 +190,17 @@ impl Started {
     fn begin(&self) {
         let program = || self.program.clone();
         let reference = || reference::Engine::new(program(), &self.beginning);
-        let other: Box<dyn Engine> = match self.kind() {
-            EngineKind::Compiled | EngineKind::Tiered if self.early.is_over() => {
+        let first = match self.kind() {
+            EngineKind::Tiered if self.early.is_over() => EngineKind::Compiled,
+            kind => kind,
+        };
+        let other: Box<dyn Engine> = match first {
+            EngineKind::Compiled => {
                 self.compiled.get_or_init(|| self.with_code());
                 return;
             }
             EngineKind::Reference => Box::new(reference()),
-            EngineKind::Interpreter | EngineKind::Compiled | EngineKind::Tiered => {
+            EngineKind::Interpreter | EngineKind::Tiered => {
                 Box::new(interpreter::Engine::new(program(), &self.beginning))
             }
             EngineKind::Both => Box::new(Lockstep::new(program(), reference(), self.with_code())),

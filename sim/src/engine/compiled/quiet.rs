@@ -84,14 +84,15 @@ fn guard(
         let sinks: Vec<usize> = part.sinks.iter().copied().collect();
         part.stays = if may_rest { stays.all(&sinks) } else { Holds::Never };
     }
-    let mut parts = together(parts);
+    let (mut parts, mut made) = (together(parts), BTreeSet::new());
     for part in &mut parts {
-        let cost = made_for(function, part.stays, first).len();
-        if cost * WORTH > (part.cells.len() + part.sinks.len()) * times {
+        let cells = made_for(function, part.stays, first);
+        if cells.len() * WORTH > (part.cells.len() + part.sinks.len()) * times {
             part.stays = Holds::Never;
+        } else {
+            made.extend(cells);
         }
     }
-    let made: BTreeSet<ValueId> = parts.iter().flat_map(|part| made_for(function, part.stays, first)).collect();
     flags.any.retain(|_, any| any.index() < first || made.contains(any));
     let is_single = |id: &ValueId| {
         let kind = &function.cell(*id).kind;

@@ -189,14 +189,11 @@ impl<'a> Stays<'a> {
 
     /// A scalar computed for this purpose only: another use of the same computation may come later.
     fn push(&mut self, kind: Kind) -> ValueId {
-        let cell = || Cell::new(kind.clone(), 1, 1);
-        match self.made.get(&kind) {
-            Some(made) => *made,
-            None => {
-                let made = self.function.rewriter.push(cell());
-                self.made.insert(kind, made);
-                made
-            }
+        if let Some(made) = self.made.get(&kind) {
+            return *made;
         }
+        let made = self.function.rewriter.push(Cell::new(kind.clone(), 1, 1));
+        self.made.insert(kind, made);
+        made
     }
 }
