@@ -4,6 +4,7 @@
 mod cone;
 mod files;
 mod other;
+mod reads;
 mod report;
 mod run;
 mod words;
@@ -49,7 +50,11 @@ impl AgainstOptions {
         let Some(other) = &self.against else { return Ok(Exit::Done) };
         let edited = other.edited(&self.verilog)?;
         other.check()?;
-        let ours = Ours::of(block, engine.kind())?;
+        let mut ours = Ours::of(block, engine.kind())?;
+        if other.is_engine() {
+            // Engines agree on them.
+            ours.run.reads.clear();
+        }
         let theirs = other.waves(&ours.design, &ours.scenario, &ours.run, &edited)?;
         ours.compare(&theirs, other.is_simulator() && edited.is_empty(), None, json)
     }
@@ -78,7 +83,9 @@ impl Ours {
     fn compare(self, theirs: &Waves, is_printed: bool, same: Option<&str>, json: bool) -> Result<Exit, Failure> {
         progress::phase("comparing");
         let files: [&Waves; 2] = [&self.run.waves, theirs];
-        let mut matched = checked(self.run.comparable(matched(files), is_printed), files)?;
+        let matched = matched(files);
+        let reads = self.run.reads_of(&matched);
+        let mut matched = checked(self.run.comparable(matched, is_printed), files)?;
         let lacking = self.run.words.lacking(&mut matched.only);
         // Of two files, neither has to have words.
         let lacking = if same.is_some() { Vec::new() } else { lacking };
@@ -90,7 +97,7 @@ impl Ours {
         let place = first_difference(&both, &instants);
         let cone = place.map(|place| Cone::at(&self.design, &self.scenario, &both, &instants[place]));
         let (entry, values) = (self.entry, &self.values);
-        let memories = Memories { words: &self.run.word_variables, left_out: &self.run.words.left_out, lacking };
+        let memories = Memories { words: &self.run.word_variables, left_out: &self.run.words.left_out, lacking, reads };
         let (both, matched, instants) = (&both, &matched, &instants[..]);
         let compared = Compared { entry, values, same, both, matched, memories, instants, place };
         compared.print(cone.transpose()?.as_ref(), json)?;

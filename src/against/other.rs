@@ -57,6 +57,11 @@ impl Other {
         self.simulator().is_some()
     }
 
+    /// Whether it is one of our engines.
+    pub fn is_engine(&self) -> bool {
+        matches!(self, Other::Engine(..))
+    }
+
     /// Whether it can be had, before anything takes time.
     ///
     /// # Errors

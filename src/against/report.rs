@@ -35,6 +35,8 @@ pub struct Memories<'a> {
     pub left_out: &'a [String],
     /// Those of which the other run lacks words.
     pub lacking: Vec<String>,
+    /// The reads that may give any value.
+    pub reads: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -58,6 +60,8 @@ struct Report<'a> {
     left_out: &'a [String],
     /// Those of which the other run lacks words.
     lacking: &'a [String],
+    /// The reads that were not compared: they may give any value.
+    reads: &'a [String],
     difference: Option<Difference<'a>>,
 }
 
@@ -111,6 +115,7 @@ impl Compared<'_> {
             only: &self.matched.only,
             left_out: self.memories.left_out,
             lacking: &self.memories.lacking,
+            reads: &self.memories.reads,
             difference,
         }
     }
@@ -137,9 +142,9 @@ impl Compared<'_> {
         self.both.pairs.iter().filter(|pair| self.memories.words.contains(&pair.variables[0])).count()
     }
 
-    /// Lines on the memories whose words were not compared.
+    /// Lines on what was not compared of memories.
     fn not_compared(&self) -> String {
-        let Memories { left_out, lacking, .. } = &self.memories;
+        let Memories { left_out, lacking, reads, .. } = &self.memories;
         let of = |memories: &[String]| match memories {
             [memory] => format!("the memory {memory}"),
             memories => format!("the memories {}", listed(memories)),
@@ -150,6 +155,12 @@ impl Compared<'_> {
         }
         if !left_out.is_empty() {
             text += &format!("not compared: words of {}, as the limit is {} words\n", of(left_out), Trace::MOST_WORDS);
+        }
+        if !reads.is_empty() {
+            let names = listed(reads);
+            text += &format!(
+                "not compared: {names}, as a read of a word that is written at the same edge may give any value\n"
+            );
         }
         text
     }

@@ -1,5 +1,6 @@
 //! A run in our simulator, with all of its signals.
 
+use super::reads;
 use super::words::Words;
 use crate::block::simulation;
 use crate::first_difference::{Both, Matched, Waves};
@@ -20,6 +21,8 @@ pub struct Run {
     pub words: Words,
     /// Their variables in the waveform.
     pub word_variables: HashSet<u32>,
+    /// The signals that are reads which may give any value, by path. They are not compared.
+    pub reads: HashSet<String>,
     /// What a testbench needs to play it again.
     pub recording: Recording,
     /// The ports of the clocks, and the period of the first one in picoseconds.
@@ -62,17 +65,24 @@ impl Run {
         let clocks = &sim.program().clocks;
         let (ports, period) = (clocks.iter().map(|clock| clock.port.clone()), clocks.first().map(|clock| clock.period));
         let (word_variables, recording) = (words.variables(&waves), recorder.take());
-        Ok(Run { waves, words, word_variables, recording, clocks: ports.collect(), period, failed })
+        let reads = reads::of_any(design)?;
+        Ok(Run { waves, words, word_variables, reads, recording, clocks: ports.collect(), period, failed })
     }
 
-    /// The same without what no run has to have. A testbench chooses the levels of clocks between their edges. Of codes the numbers are
+    /// The names that both runs have of reads that may give any value.
+    pub fn reads_of(&self, matched: &Matched) -> Vec<String> {
+        let names = matched.pairs.iter().map(|pair| &pair.name);
+        names.filter(|name| self.reads.contains(*name)).cloned().collect()
+    }
+
+    /// The same without reads that may give any value, and without what no run has to have. A testbench chooses the levels of clocks between their edges. Of codes the numbers are
     /// compared, and not the texts. A net of printed Verilog takes what is not used. If the other run is of Verilog as it is printed, all
     /// nets that only it has are of the printer's making.
     pub fn comparable(&self, mut matched: Matched, is_printed: bool) -> Matched {
         let is_clock = |path: &[String]| matches!(path, [_, port] if self.clocks.contains(port));
         let signals = self.waves.signals.iter().filter(|signal| is_clock(&signal.path));
         let clocks: Vec<u32> = signals.map(|signal| signal.variable).collect();
-        matched.pairs.retain(|pair| !clocks.contains(&pair.variables[0]));
+        matched.pairs.retain(|pair| !clocks.contains(&pair.variables[0]) && !self.reads.contains(&pair.name));
         let Matched { pairs, only } = &mut matched;
         let is_number = |name: &str| pairs.binary_search_by(|pair| pair.name.as_str().cmp(name)).is_ok();
         only[0].retain(|name| !name.strip_suffix("_state").is_some_and(is_number));

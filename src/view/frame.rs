@@ -14,8 +14,12 @@ use serde_json::{Value, json};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::thread;
+use std::time::Duration;
 use tilewright_scenes::Scene;
 use tilewright_view::{Answer, Page, Site};
+
+/// How long a question waits for its answer before the page is told what is being done.
+const PATIENCE: Duration = Duration::from_millis(100);
 
 /// A scene, and its frames.
 pub struct FrameSite {
@@ -199,7 +203,7 @@ impl Site for FrameSite {
             self.shelf.forget(asked);
             return Answer::Whole(b"null".to_vec());
         }
-        match self.shelf.ask(asked) {
+        match self.shelf.ask_and_wait(asked, PATIENCE) {
             State::Waiting => Answer::Working { what: "waiting for other work".to_owned(), done: None },
             State::Working => {
                 let (what, done) = progress::now();

@@ -4,6 +4,7 @@ use crate::shell::Failure;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 /// Something that a page can ask for.
 pub trait Wish: Copy + PartialEq {
@@ -34,6 +35,8 @@ pub struct Shelf<W, M> {
     entries: Mutex<Vec<Entry<W, M>>>,
     /// Raised when something has been asked for.
     asked: Condvar,
+    /// Raised when nobody works on something any more.
+    settled: Condvar,
 }
 
 struct Entry<W, M> {
@@ -52,23 +55,21 @@ impl<W, M> Entry<W, M> {
 impl<W: Wish, M: Clone> Shelf<W, M> {
     /// An empty one.
     pub fn new() -> Shelf<W, M> {
-        Shelf { entries: Mutex::default(), asked: Condvar::new() }
+        Shelf { entries: Mutex::default(), asked: Condvar::new(), settled: Condvar::new() }
     }
 
     /// What is known of a wish, which is asked for now. If that is new, the work on wishes that it supersedes stops. That a wish was stopped
     /// is told once.
     pub fn ask(&self, wish: W) -> State<M> {
         let mut entries = self.lock();
-        if let Some(place) = entries.iter().position(|it| it.wish == wish) {
-            return match entries[place].state {
-                State::Stopped => entries.remove(place).state,
-                _ => entries[place].state.clone(),
-            };
+        if let Some(state) = state(&mut entries, wish) {
+            return state;
         }
         for entry in entries.iter_mut().filter(|it| it.is_open() && it.wish.is_superseded(&wish)) {
             entry.stop.store(true, Relaxed);
             entry.state = State::Stopped;
         }
+        self.settled.notify_all();
         if entries.iter().filter(|it| it.wish.kind() == wish.kind()).count() >= W::MOST {
             let oldest = entries.iter().position(|it| it.wish.kind() == wish.kind() && !it.is_open());
             oldest.map(|place| entries.remove(place));
@@ -76,6 +77,19 @@ impl<W: Wish, M: Clone> Shelf<W, M> {
         entries.push(Entry { wish, state: State::Waiting, stop: Arc::default() });
         self.asked.notify_one();
         State::Waiting
+    }
+
+    /// The same, which waits that long for something that is being made.
+    pub fn ask_and_wait(&self, wish: W, most: Duration) -> State<M> {
+        let now = self.ask(wish);
+        if !matches!(now, State::Waiting | State::Working) {
+            return now;
+        }
+        let is_open = |entries: &mut Vec<Entry<W, M>>| entries.iter().any(|it| it.wish == wish && it.is_open());
+        let waited = self.settled.wait_timeout_while(self.lock(), most, is_open);
+        let (mut entries, _) = waited.unwrap_or_else(PoisonError::into_inner);
+        // It may have been forgotten meanwhile.
+        state(&mut entries, wish).unwrap_or(State::Stopped)
     }
 
     /// What has been made of a wish; nothing is asked for.
@@ -96,6 +110,7 @@ impl<W: Wish, M: Clone> Shelf<W, M> {
             }
             !is_meant
         });
+        self.settled.notify_all();
     }
 
     /// Waits for a wish, and makes it.
@@ -123,11 +138,21 @@ impl<W: Wish, M: Clone> Shelf<W, M> {
         if let Some(entry) = entries.iter_mut().find(|it| it.is_open() && Arc::ptr_eq(&it.stop, &stop)) {
             entry.state = state;
         }
+        self.settled.notify_all();
     }
 
     fn lock(&self) -> MutexGuard<'_, Vec<Entry<W, M>>> {
         self.entries.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// What is known of a wish that has been asked for. That it was stopped is told once.
+fn state<W: Wish, M: Clone>(entries: &mut Vec<Entry<W, M>>, wish: W) -> Option<State<M>> {
+    let place = entries.iter().position(|it| it.wish == wish)?;
+    Some(match entries[place].state {
+        State::Stopped => entries.remove(place).state,
+        _ => entries[place].state.clone(),
+    })
 }
 
 #[cfg(test)]
@@ -194,6 +219,23 @@ mod tests {
         assert!(matches!(shelf.ask((1, 1)), State::Waiting));
         shelf.make_next(|_, stop| if stop.load(Relaxed) { Ok(2) } else { Ok(3) });
         assert_eq!(made(&shelf.ask((1, 1))), Some(3));
+    }
+
+    #[test]
+    fn a_question_waits_for_its_answer_but_not_for_ever() {
+        let shelf = Shelf::<(usize, u32), u32>::new();
+        let (soon, long) = (Duration::from_millis(1), Duration::from_mins(10));
+        assert!(matches!(shelf.ask_and_wait((0, 1), soon), State::Waiting));
+        std::thread::scope(|threads| {
+            let asked = threads.spawn(|| shelf.ask_and_wait((0, 1), long));
+            shelf.make_next(|wish, _| Ok(wish.1));
+            assert_eq!(made(&asked.join().unwrap()), Some(1));
+            let asked = threads.spawn(|| shelf.ask_and_wait((7, 2), long));
+            while !asked.is_finished() {
+                shelf.forget((7, 2));
+            }
+            assert!(matches!(asked.join().unwrap(), State::Stopped));
+        });
     }
 
     #[test]

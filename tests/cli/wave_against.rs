@@ -77,6 +77,22 @@ fn words_of_memories_are_compared_as_far_as_there_is_room() {
     );
 }
 
+/// Both blocks read words that are written at the same edge, and do not use what they get.
+#[test]
+fn reads_that_may_give_any_value_are_compared_between_engines_alone() {
+    let folder = Folder::new();
+    let lines = |block: &str, other: &str| folder.stdout(&format!("wave {block} --against {other}"));
+    for (block, read) in [("multiply-accumulate", "held"), ("video-buffer", "bank0_read, bank1_read")] {
+        assert!(!lines(block, "reference").contains("not compared"), "{block}");
+        if skipped_without(ICARUS).is_none() {
+            let text = lines(block, "icarus");
+            let reason = "as a read of a word that is written at the same edge may give any value";
+            assert_eq!(text.lines().next(), Some(format!("not compared: {read}, {reason}").as_str()), "{block}");
+            assert!(text.contains("\nno difference in "), "{text}");
+        }
+    }
+}
+
 #[test]
 fn a_mistake_in_the_verilog_is_found_where_it_begins() {
     if skipped_without(ICARUS).is_some() {

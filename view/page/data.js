@@ -1,7 +1,7 @@
 "use strict";
 
-/** Milliseconds between two questions whether data are made. */
-const AGAIN = 120;
+/** Milliseconds between two questions whether data are made. The program waits for them, too. */
+const AGAIN = 20;
 
 /** What is thrown to ask no more. */
 class Stopped extends Error {}

@@ -41,8 +41,8 @@ pub trait Site: Send + Sync {
     /// ```
     fn about(&self) -> String;
 
-    /// The data of that name, such as `frame/vc1`. It returns soon, and the page asks again while the data are being made. The query is
-    /// what follows a `?`.
+    /// The data of that name, such as `frame/vc1`. It returns within about a tenth of a second, and the page asks again while the data are
+    /// being made. The query is what follows a `?`.
     ///
     /// ```
     /// use tilewright_view::{Answer, Site, for_examples::Empty};

@@ -114,7 +114,7 @@ pub fn way(pixel: [u32; 2]) -> Value {
 
 /// The frame as a site. The machine `broken` cannot draw it.
 ///
-/// It tells the way of a pixel when it has been asked twice. That of column 30 never comes, and that of column 29 is refused.
+/// It tells the way of a pixel when it has been asked some times. That of column 30 never comes, and that of column 29 is refused.
 #[derive(Default)]
 pub struct Columns {
     /// All questions, each as its name and its query.
@@ -127,7 +127,7 @@ impl Columns {
         match pixel[0] {
             29 => Answer::Refused("the run was interrupted".to_owned()),
             30 => Answer::Working { what: "drawing".to_owned(), done: Some(0.5) },
-            _ if count < 2 => Answer::Working { what: "building".to_owned(), done: None },
+            _ if count < 10 => Answer::Working { what: "building".to_owned(), done: None },
             _ => Answer::Whole(way(pixel).to_string().into_bytes()),
         }
     }

@@ -118,6 +118,9 @@ impl Machine {
         watch: &mut Watch,
     ) -> Result<(Frame, Report), Error> {
         let size = self.config.size;
+        // Each packet is sent, and then each pixel is read, neighbours together.
+        let groups = size.pixels() as u64 / u64::from(self.config.matrix.0);
+        self.hardware.sim.expect(packets.len() as u64 + groups);
         let before = match state {
             State::Idle(counters) => counters,
             State::New => self.reset()?,

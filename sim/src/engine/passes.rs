@@ -45,7 +45,8 @@ pub struct Passes {
     /// The largest memory, in bytes, that lanes read at addresses of their own within the loop that uses the words.
     /// Larger ones have a loop of their own.
     pub near: usize,
-    /// After this number of edges with unchanged inputs of up to 8 bits, code is made for their present values.
+    /// After this number of edges with unchanged inputs of up to 8 bits, code is made for their present values. For
+    /// circuits of more than 200 cells it grows in proportion, as the time of making code does.
     pub held_after: u64,
     /// After this number of edges, each preceded by a look at an output, a function is made for the remaining work of
     /// an edge.

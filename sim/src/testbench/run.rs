@@ -45,6 +45,23 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         done(self.try_run(n));
     }
 
+    /// Tells that the run has at least this many clock edges to come, when each is asked for by itself. An engine that
+    /// makes machine code for long runs alone then makes it at once, if that is worth it. Results are the same.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// sim.set(sim.i.enable, 1);
+    /// sim.expect(1_000_000);
+    /// while sim.get_u64(sim.o.count) < 200 {
+    ///     sim.step();
+    /// }
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn expect(&mut self, edges: u64) {
+        self.circuit.engine.expect(edges);
+    }
+
     /// Advances through every instant up to and including this time in picoseconds.
     ///
     /// ```

@@ -98,6 +98,13 @@ impl Started {
         Ok((Done { edges: done.edges + more.edges, changed: done.changed.with(more.changed) }, holds))
     }
 
+    /// Makes code now if at least this many edges are to come and they repay it.
+    pub fn expect(&mut self, edges: u64) {
+        if !self.early.is_over() && self.early.given.is_none() && edges >= self.early.left {
+            self.make_code();
+        }
+    }
+
     pub fn watch(&mut self, values: &[ValueId]) {
         if !self.early.is_over() {
             self.early.watched.push(values.to_vec());
@@ -177,6 +184,19 @@ mod tests {
         let (mut sim, edges) = counter!();
         sim.run(edges);
         assert!(is_code(&sim));
+    }
+
+    #[test]
+    fn a_run_that_is_told_its_length_has_code_at_once_if_it_is_long() {
+        let (mut sim, edges) = counter!();
+        sim.run(3);
+        sim.expect(edges - 4);
+        assert!(!is_code(&sim));
+        sim.set(sim.i.enable, 1);
+        sim.expect(edges - 3);
+        assert!(is_code(&sim));
+        sim.run(2);
+        assert_eq!(sim.get_u64(sim.o.count), 2);
     }
 
     #[test]

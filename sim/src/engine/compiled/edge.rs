@@ -182,7 +182,7 @@ impl Compiled {
         let edge = &mut self.edges[index];
         let &[clock] = edge.rising.as_slice() else { return };
         if edge.special.is_none() && self.special > 0 && !self.inputs.is_empty() {
-            count = count.min(self.program.passes.held_after.saturating_sub(edge.quiet));
+            count = count.min(self.held_after.saturating_sub(edge.quiet));
             edge.quiet += count;
         }
         let (is_only, changes) = (self.resets.len() == 1, edge.changes);
@@ -221,7 +221,7 @@ impl Compiled {
             if edge.special.take().is_some() {
                 *parked = None;
             } else if self.special > 0 {
-                *left = self.program.passes.held_after;
+                *left = self.held_after;
                 edge.quiet = *left;
             }
         }
@@ -283,7 +283,7 @@ impl Compiled {
         }
         edge.quiet += count;
         let code = edge.code;
-        if edge.quiet < self.program.passes.held_after || self.special == 0 || self.inputs.is_empty() {
+        if edge.quiet < self.held_after || self.special == 0 || self.inputs.is_empty() {
             return code;
         }
         self.make_special(index)

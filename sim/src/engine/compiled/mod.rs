@@ -109,6 +109,8 @@ pub(crate) struct Compiled {
     /// The inputs that a function may be made for, and how many more functions may be made.
     inputs: Vec<ValueId>,
     special: u32,
+    /// The number of edges with unchanged inputs after which one is made.
+    held_after: u64,
     /// The version of these inputs; it counts changes followed by an edge.
     inputs_version: u64,
     /// One of them was changed since the last edge.
@@ -162,6 +164,9 @@ const HELD: u32 = 8;
 /// The most such functions.
 const SPECIAL: u32 = 16;
 
+/// The cells of a circuit for which [`Passes::held_after`] holds as it stands.
+const HELD_CELLS: u64 = 200;
+
 /// The inputs that functions may be made for.
 fn held_inputs(program: &Program) -> impl Iterator<Item = ValueId> {
     let is_held = |id: &ValueId| program.circuit[*id].lanes == 1 && program.circuit[*id].width <= HELD;
@@ -192,6 +197,8 @@ impl Compiled {
             memories.iter_mut().for_each(|memory| memory.table = Some(layout.place(1, 64).offset));
         }
         let inputs = held_inputs(&program).collect();
+        let cells = program.circuit.len() as u64;
+        let held_after = program.passes.held_after.saturating_mul((cells / HELD_CELLS).max(1));
         let has_idle = program.clocks.len() > 1 && apart.is_none();
         let idle = if has_idle { Idle::of(&program, &places) } else { Vec::new() };
         let mut engine = Compiled {
@@ -231,6 +238,7 @@ impl Compiled {
             shown: vec![None; program.circuit.len()],
             inputs,
             special: SPECIAL,
+            held_after,
             inputs_version: 0,
             held_changed: false,
             seen_by: Idle::seen_by(&idle),

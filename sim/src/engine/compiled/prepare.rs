@@ -139,23 +139,23 @@ impl Compiled {
         let (strips, jit) = (&self.layout.strips, &mut self.jit);
         let within = Surrounded::new(&self.layout, memories, wrote.is_some());
         let last = part.pieces.len() - 1;
-        let piece = |(index, steps): (usize, &Vec<Step>)| {
-            jit.function_in(&within, |builder, state, argument| {
-                let unit = wrote.map(|wrote| (builder.add(state, argument), wrote));
-                let mut emitter = part.emitter(memories, strips, builder, state);
-                if let Some((unit, wrote)) = unit {
-                    emitter = emitter.of_unit(unit, wrote);
-                }
-                emitter.steps(steps);
-                let held = if index == last { emitter.end() } else { None };
-                let held = match held {
-                    Some(held) => builder.zero_extend(Type::I64, held),
-                    None => builder.constant(Type::I64, 1),
-                };
-                builder.give(held);
-            })
+        let emit = |index: usize, steps: &[Step], builder: &mut Builder, state: Value, argument: Value| {
+            let unit = wrote.map(|wrote| (builder.add(state, argument), wrote));
+            let mut emitter = part.emitter(memories, strips, builder, state);
+            if let Some((unit, wrote)) = unit {
+                emitter = emitter.of_unit(unit, wrote);
+            }
+            emitter.steps(steps);
+            let held = if index == last { emitter.end() } else { None };
+            let held = match held {
+                Some(held) => builder.zero_extend(Type::I64, held),
+                None => builder.constant(Type::I64, 1),
+            };
+            builder.give(held);
         };
-        part.pieces.iter().enumerate().map(piece).collect()
+        let pieces = part.pieces.iter().enumerate();
+        let emit = &emit;
+        jit.functions_in(&within, pieces.map(|(index, steps)| move |b: &mut Builder, s, a| emit(index, steps, b, s, a)))
     }
 
     fn compile_times(&mut self, parts: &[Prepared], times: Times) -> Code {

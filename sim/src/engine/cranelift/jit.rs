@@ -1,8 +1,12 @@
 //! Machine code in memory, made by Cranelift: the one place that makes it and the one that calls it.
 
+use std::iter;
 use std::mem::transmute;
-use std::sync::atomic::AtomicPtr;
+use std::num::NonZeroUsize;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicPtr, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, OnceLock};
+use std::thread::{self, available_parallelism};
 
 use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;
@@ -82,8 +86,8 @@ impl Code {
             // SAFETY: the caller's promise; the caller waits until this is done.
             unsafe { (self.entry)(state.into_inner(), argument, scratch.into_inner()) }
         };
-        std::thread::scope(|scope| {
-            let thread = std::thread::Builder::new().stack_size(self.stack + CALLED).spawn_scoped(scope, run);
+        thread::scope(|scope| {
+            let thread = thread::Builder::new().stack_size(self.stack + CALLED).spawn_scoped(scope, run);
             thread
                 .expect("the system has a thread and its stack to give")
                 .join()
@@ -109,7 +113,6 @@ pub(in crate::engine) struct Made {
 /// Makes functions, and keeps them in memory.
 pub(in crate::engine) struct Jit {
     target: OwnedTargetIsa,
-    context: Context,
     made: Vec<Arc<Made>>,
     shared: Arc<SharedCode>,
     /// The objects that functions refer to by address.
@@ -134,7 +137,7 @@ impl Jit {
     /// Prepares for a machine.
     pub fn on(target: OwnedTargetIsa) -> Jit {
         let (made, kept, shared) = (Vec::new(), Kept::new(), Arc::default());
-        Jit { target, context: Context::new(), made, shared, kept, scratch: 0, examined: None }
+        Jit { target, made, shared, kept, scratch: 0, examined: None }
     }
 
     /// Makes a function in this memory. `body` gets the builder in the entry block, the address of the state and the
@@ -145,6 +148,20 @@ impl Jit {
     /// There is no memory for code.
     pub fn function_in(&mut self, memory: &dyn Surroundings, body: impl FnOnce(&mut Builder, Value, Value)) -> Code {
         self.try_function(memory, body).unwrap_or_else(|refused| panic!("{refused}"))
+    }
+
+    /// Makes several functions in this memory, on all processors.
+    ///
+    /// # Panics
+    ///
+    /// There is no memory for code.
+    pub fn functions_in(
+        &mut self,
+        memory: &dyn Surroundings,
+        bodies: impl Iterator<Item = impl FnOnce(&mut Builder, Value, Value)>,
+    ) -> Vec<Code> {
+        let programs = bodies.map(|body| self.program(memory, body)).collect();
+        self.code(programs).unwrap_or_else(|refused| panic!("{refused}"))
     }
 
     /// Makes a function that accesses nothing but a state of up to a megabyte.
@@ -168,35 +185,74 @@ impl Jit {
         memory: &dyn Surroundings,
         body: impl FnOnce(&mut Builder, Value, Value),
     ) -> Result<Code, Unsupported> {
+        let program = self.program(memory, body);
+        self.code(vec![program]).map(|codes| codes[0])
+    }
+
+    /// The program of a function.
+    fn program(&mut self, memory: &dyn Surroundings, body: impl FnOnce(&mut Builder, Value, Value)) -> Program {
         let mut builder = Builder::new();
         let [state, argument, _] = Program::PARAMETERS;
         body(&mut builder, state, argument);
         let (program, kept) = builder.finish();
         if let Some(examined) = &mut self.examined {
             examined.add(&program, memory);
-            return Ok(Code { entry: nothing, stack: 0 });
-        }
-        if cfg!(debug_assertions)
+        } else if cfg!(debug_assertions)
             && let Err(rule) = program.check(memory)
         {
             panic!("a strip program breaks a rule: {rule}\n{}", program.text(&Notes::NONE));
         }
         self.kept.extend(kept);
         self.scratch = self.scratch.max(program.scratch);
-        let (context, target) = (&mut self.context, &*self.target);
-        let mut make = |program: &Program| {
-            begin(context, target);
-            translate(program, &mut context.func);
-            made(context, target, program.stack_of_called)
-        };
+        program
+    }
+
+    /// The code of these programs.
+    fn code(&mut self, programs: Vec<Program>) -> Result<Vec<Code>, Unsupported> {
+        if self.examined.is_some() {
+            return Ok(vec![Code { entry: nothing, stack: 0 }; programs.len()]);
+        }
         let made = match self.shared.is_shared() {
-            true => self.shared.find_or_make(program, make)?,
-            false => Arc::new(make(&program)?),
+            true => self.shared.find_or_make(&programs, |programs| make_all(&*self.target, programs))?,
+            false => make_all(&*self.target, &programs.iter().collect::<Vec<_>>())?.into_iter().map(Arc::new).collect(),
         };
-        let code = made.code;
-        self.made.push(made);
+        let code = made.iter().map(|made| made.code).collect();
+        self.made.extend(made);
         Ok(code)
     }
+}
+
+/// Makes code of these programs, several at a time if there are processors for it.
+fn make_all(target: &dyn TargetIsa, programs: &[&Program]) -> Result<Vec<Made>, Unsupported> {
+    let threads = available_parallelism().map_or(1, NonZeroUsize::get).min(programs.len());
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut context = Context::new();
+        let taken = iter::from_fn(|| {
+            let at = next.fetch_add(1, Relaxed);
+            programs.get(at).map(|program| (at, program))
+        });
+        taken.map(|(at, program)| (at, make(&mut context, target, program))).collect::<Vec<_>>()
+    };
+    let mut made = thread::scope(|scope| {
+        // Without another thread, this one makes all.
+        let start = |_| thread::Builder::new().spawn_scoped(scope, work).ok();
+        let others: Vec<_> = (1..threads).filter_map(start).collect();
+        let mut made = work();
+        for other in others {
+            made.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        }
+        made
+    });
+    made.sort_by_key(|(at, _)| *at);
+    made.into_iter().map(|(_, made)| made).collect()
+}
+
+/// Makes the code of a program.
+fn make(context: &mut Context, target: &dyn TargetIsa, program: &Program) -> Result<Made, Unsupported> {
+    begin(context, target);
+    translate(program, &mut context.func);
+    made(context, target, program.stack_of_called)
 }
 
 /// In place of code that is not made.
@@ -255,14 +311,15 @@ mod tests {
 
     /// A function of these instructions; they get the argument.
     fn of_instructions(jit: &mut Jit, write: impl FnOnce(&mut FuncCursor, ir::Value)) -> Code {
-        begin(&mut jit.context, &*jit.target);
-        let func = &mut jit.context.func;
+        let mut context = Context::new();
+        begin(&mut context, &*jit.target);
+        let func = &mut context.func;
         let block = func.dfg.make_block();
         let [_, argument, _] = [(); 3].map(|()| func.dfg.append_block_param(block, types::I64));
         let mut at = FuncCursor::new(func);
         at.insert_block(block);
         write(&mut at, argument);
-        let made = Arc::new(made(&mut jit.context, &*jit.target, 0).unwrap());
+        let made = Arc::new(made(&mut context, &*jit.target, 0).unwrap());
         jit.made.push(made.clone());
         made.code
     }

@@ -1,24 +1,20 @@
 //! Code that simulations of one circuit share: to make it takes most of the time that each of them needs to begin.
 
-use std::hash::{Hash, Hasher};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::jit::Made;
 use super::target::Unsupported;
 use crate::engine::strips::Program;
-
-/// The functions whose programs have one hash.
-type Alike = Vec<(Program, Arc<Made>)>;
 
 /// The functions of simulations of one circuit, by their programs.
 #[derive(Default)]
 pub(crate) struct SharedCode {
     /// There are several simulations. One alone makes nothing twice, and so keeps nothing here.
     is_shared: AtomicBool,
-    functions: Mutex<FxHashMap<u64, Alike>>,
+    functions: Mutex<FxHashMap<Program, Arc<Made>>>,
 }
 
 impl SharedCode {
@@ -32,7 +28,7 @@ impl SharedCode {
         self.is_shared.load(Ordering::Relaxed)
     }
 
-    /// The code of this program, which `make` makes if nobody has. Simulations on several threads wait for each
+    /// The code of these programs; `make` makes what nobody has made yet. Simulations on several threads wait for each
     /// other, as they mostly need the same functions.
     ///
     /// # Errors
@@ -40,26 +36,22 @@ impl SharedCode {
     /// Those of `make`.
     pub(in crate::engine) fn find_or_make(
         &self,
-        program: Program,
-        make: impl FnOnce(&Program) -> Result<Made, Unsupported>,
-    ) -> Result<Arc<Made>, Unsupported> {
-        let mut hasher = FxHasher::default();
-        program.hash(&mut hasher);
-        // A function is entered when it is complete, so a panic leaves nothing half done.
+        programs: &[Program],
+        make: impl FnOnce(&[&Program]) -> Result<Vec<Made>, Unsupported>,
+    ) -> Result<Vec<Arc<Made>>, Unsupported> {
+        // Functions are entered when they are complete, so a panic leaves nothing half done.
         let mut functions = self.functions.lock().unwrap_or_else(PoisonError::into_inner);
-        let alike = functions.entry(hasher.finish()).or_default();
-        if let Some((_, made)) = alike.iter().find(|(other, _)| *other == program) {
-            return Ok(made.clone());
-        }
-        let made = Arc::new(make(&program)?);
-        alike.push((program, made.clone()));
-        Ok(made)
+        let new: FxHashSet<&Program> = programs.iter().filter(|program| !functions.contains_key(program)).collect();
+        let new: Vec<&Program> = new.into_iter().collect();
+        let made = make(&new)?.into_iter().map(Arc::new);
+        functions.extend(new.into_iter().cloned().zip(made));
+        Ok(programs.iter().map(|program| functions[program].clone()).collect())
     }
 
     /// How many functions simulations share.
     #[cfg(test)]
     pub fn len(&self) -> usize {
-        self.functions.lock().unwrap_or_else(PoisonError::into_inner).values().map(Vec::len).sum()
+        self.functions.lock().unwrap_or_else(PoisonError::into_inner).len()
     }
 }
 

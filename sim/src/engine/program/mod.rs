@@ -122,9 +122,9 @@ pub struct Program {
     pub circuit: Circuit,
     /// When values are computed, and where an engine with all values in limbs stores them.
     pub schedule: Schedule,
-    /// For each value: its first limb, and the segment that computes it, if any.
+    /// The clocks of the top module.
     pub clocks: Vec<Clock>,
-    /// The number of 64-bit limbs of all values.
+    /// Input ports of the top module.
     pub inputs: Vec<Port>,
     /// Output ports of the top module.
     pub outputs: Vec<Port>,
