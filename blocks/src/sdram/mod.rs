@@ -141,7 +141,8 @@ block! {
         pub wr: u32,
         /// Clocks from LOAD MODE to any command (tMRD).
         pub mrd: u32,
-        /// Clocks from one refresh to the next. One may be late by as many clocks as a row has to stay open.
+        /// Clocks from one refresh to the next. One may be late by as many clocks as a row has to stay open, and the
+        /// first one by `rp` + 2 after the mode is set.
         pub refresh: u32,
         /// Clocks from a reset to the first command.
         pub power_up: u32,

@@ -21,6 +21,8 @@ pub struct Sheet {
     pub power_up: u64,
     /// Within this time each row is refreshed.
     pub period: u64,
+    /// Clocks from the mode's setting until rows begin to lose what they hold.
+    pub settled: u32,
     /// How many rows there are. A refresh is for one of them.
     pub rows: usize,
     /// Clocks after a mode was set.
@@ -170,7 +172,7 @@ impl Chip {
             assert!(open <= self.sheet.longest_ras, "a row is open for {open} ps");
         }
         if let Some(first) = self.refreshed.front() {
-            let age = (self.now - first) * self.sheet.clock;
+            let age = self.now.saturating_sub(*first) * self.sheet.clock;
             assert!(age <= self.sheet.period, "a row was not refreshed for {age} ps, at edge {}", self.now);
         }
     }
@@ -206,7 +208,7 @@ impl Chip {
         assert!(matches!(self.start, Start::Refreshes(8..)), "the mode is set after {:?}", self.start);
         assert_eq!((seen.ba, seen.a), (0, self.sheet.latency << 4), "bursts of 1, the latency of the sheet");
         (self.start, self.mode) = (Start::Ready, Some(self.now));
-        self.refreshed = vec![self.now; self.sheet.rows].into();
+        self.refreshed = vec![self.now + u64::from(self.sheet.settled); self.sheet.rows].into();
     }
 
     fn refresh(&mut self) {

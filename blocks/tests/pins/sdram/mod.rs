@@ -146,6 +146,8 @@ fn sheet(block: &SdramController, latest: u32) -> Sheet {
         wr: time(block.wr),
         power_up: time(block.power_up),
         period: time(6 * block.refresh + latest),
+        // The first refresh comes as much later.
+        settled: block.rp + 2,
         rows: 6,
         mrd: block.mrd.into(),
         latency: block.cas_latency.into(),
@@ -168,6 +170,7 @@ fn micron() -> Sheet {
         wr: 15_000,
         power_up: 100_000_000,
         period: 64_000_000_000,
+        settled: 0,
         rows: 8192,
         mrd: 2,
         latency: 2,
