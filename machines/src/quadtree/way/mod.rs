@@ -4,6 +4,7 @@
 //! a window. Windows of one polygon follow those of the polygons before it, so the model knows which one comes next.
 
 mod buffer;
+mod idle;
 mod nets;
 mod numbers;
 mod packets;
@@ -18,7 +19,6 @@ use std::rc::Rc;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::quadtree::format::Format;
 use tilewright_rtl::quadtree::generator::{QuadtreeGeneratorIn, QuadtreeGeneratorOut};
-use tilewright_rtl::quadtree::raster::{Form, Part};
 use tilewright_scenes::Polygon;
 use tilewright_scenes::frame::{blank, depth_of};
 use tilewright_sim::Simulation;
@@ -29,6 +29,7 @@ use crate::looks::Looks;
 use crate::told::{At, Edge, Told, compared};
 use crate::way::{Follower, Primitive, Way};
 use buffer::Buffer;
+use idle::Idle;
 use packets::Packets;
 use pixels::Pixels;
 use reading::Reading;
@@ -70,7 +71,7 @@ pub(crate) struct Following {
     looks: Looks,
     packets: Packets,
     links: Vec<Link>,
-    idle: Vec<(String, &'static str)>,
+    idle: Idle,
     pixels: Pixels,
     buffer: Buffer,
     reading: Reading,
@@ -107,7 +108,7 @@ impl Following {
             period,
             packets: Packets::new(&mut looks, &followed, polygons.clone()),
             links,
-            idle: idle(&followed, &config.parsed_form()?),
+            idle: Idle::new(&mut looks, &followed, &config.parsed_form()?),
             pixels: Pixels::new(&mut looks, &followed, polygons, follower.pixel),
             looks,
             buffer: Buffer::new(&followed, config.strict),
@@ -132,12 +133,17 @@ impl Following {
         self.looks.look(sim);
         let mut seen = Seen { sim, nets: &self.looks };
         self.still += 1;
+        // What is wrong in a queue is so behind it, too, in the same clock.
+        for queue in self.links.iter_mut().filter(|it| it.is_queue()) {
+            queue.look(&mut seen, edge, &mut self.told);
+        }
         if self.packets.look(&mut seen, edge, &mut self.told) {
             self.still = 0;
         }
-        for link in &mut self.links {
+        for link in self.links.iter_mut().filter(|it| !it.is_queue()) {
             link.look(&mut seen, edge, &mut self.told);
         }
+        self.idle.look(&self.looks, edge, &mut self.told);
         self.buffer.look(seen.sim, edge, &mut self.told);
         let fragment = self.pixels.look(&mut seen, edge, (&mut self.primitives, &mut self.told));
         if let Some(fragment) = fragment {
@@ -180,11 +186,7 @@ impl Following {
             return;
         }
         // Everything has been drawn, and some unit does not say so.
-        let busy = self.idle.iter().find(|(name, _)| net(sim, name) == 0);
-        if let Some((name, block)) = busy {
-            let at = At { unit: format!("`{name}`"), block, edge };
-            told.tell(at.step("says that nothing is under way", vec![compared("idle", "no", "yes")]).on(name));
-        }
+        self.idle.ends(sim, edge, told);
     }
 
     /// The banks are exchanged at the coming edge.
@@ -209,24 +211,6 @@ impl Following {
         let edge = self.edge(clock);
         self.reading.ends(edge, &mut self.told);
     }
-}
-
-/// The nets that say that nothing is under way, the inner ones first, each with its block.
-fn idle(followed: &Followed, form: &Form) -> Vec<(String, &'static str)> {
-    let processor = format!("u_processor[{}]", followed.processor);
-    let raster = format!("{processor}.u_raster");
-    let parts = form.parts().iter().enumerate().map(|(number, part)| match part {
-        Part::Stack(_) => (format!("{raster}.u_stack{number}.idle"), "quadtree-stack"),
-        Part::Pipe(_) => (format!("{raster}.u_pipe{number}.idle"), "quadtree-pipe"),
-        Part::Tree(_) => (format!("{raster}.u_tree{number}.idle"), "quadtree-tree"),
-    });
-    let outer = [
-        (format!("{raster}.idle"), "raster-processor"),
-        (format!("{processor}.u_set_up.idle"), "quadtree-set-up"),
-        (format!("{processor}.idle"), "video-processor"),
-        ("idle".to_owned(), "quadtree-generator"),
-    ];
-    parts.chain(outer).collect()
 }
 
 /// The polygons that cover the pixel.

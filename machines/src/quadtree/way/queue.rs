@@ -17,6 +17,8 @@ pub(super) struct Queue {
     out: Looks,
     /// The words in it, in limbs.
     words: VecDeque<Vec<u64>>,
+    /// Several units take the oldest word before it goes, each in a clock of its own.
+    is_copied: bool,
 }
 
 impl Queue {
@@ -29,7 +31,12 @@ impl Queue {
             looks
         };
         let (into, out) = (payload(".into_payload"), payload(".out_payload"));
-        Queue { number, path: path.to_owned(), place, into, out, words: VecDeque::new() }
+        Queue { number, path: path.to_owned(), place, into, out, words: VecDeque::new(), is_copied: false }
+    }
+
+    /// One whose oldest word several units take, each in a clock of its own.
+    pub fn copied(self) -> Queue {
+        Queue { is_copied: true, ..self }
     }
 
     /// The name of a net of its output.
@@ -44,19 +51,23 @@ impl Queue {
     /// Looks before an edge.
     pub fn look(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
         let [comes, is_taken, offers, goes] = seen.nets.from(self.place).map(|bit| bit == 1);
-        if offers && goes {
+        let goes = offers && goes;
+        if goes || offers && self.is_copied {
             self.out.look(seen.sim);
-            let (came, golden) = (self.out.values(), self.words.pop_front());
-            if golden.as_deref() != Some(came) {
+            let (came, golden) = (self.out.values(), self.words.front().map(Vec::as_slice));
+            if golden != Some(came) {
                 let shown = |word: Option<&[u64]>| {
                     let digits = |word: &[u64]| word.iter().rev().map(|limb| format!("{limb:016x}")).collect();
                     word.map_or("nothing".to_owned(), digits)
                 };
                 told.check("queue", self.number, false, || {
-                    let values = vec![compared("word", shown(Some(came)), shown(golden.as_deref()))];
+                    let values = vec![compared("word", shown(Some(came)), shown(golden))];
                     self.at(edge).step("puts out the oldest word", values).on(self.out("payload"))
                 });
             }
+        }
+        if goes {
+            self.words.pop_front();
         }
         if comes && is_taken {
             self.into.look(seen.sim);

@@ -21,6 +21,11 @@ pub(super) enum Link {
 }
 
 impl Link {
+    /// Whether it is a queue.
+    pub fn is_queue(&self) -> bool {
+        matches!(self, Link::Queue(_))
+    }
+
     /// Looks before an edge.
     pub fn look(&mut self, seen: &mut Seen, edge: Edge, told: &mut Told) {
         match self {
@@ -75,7 +80,7 @@ pub(super) fn of(looks: &mut Looks, followed: &Followed, form: &Form, polygons: 
     let raster = format!("{processor}.u_raster");
     let mut from = followed.format.levels();
     let mut links: Vec<Link> =
-        vec![Queue::new(looks, 0, "u_queue"), Queue::new(looks, 1, &format!("{processor}.u_queue"))]
+        vec![Queue::new(looks, 0, "u_queue").copied(), Queue::new(looks, 1, &format!("{processor}.u_queue"))]
             .into_iter()
             .map(Link::Queue)
             .collect();

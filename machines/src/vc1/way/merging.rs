@@ -1,8 +1,7 @@
 //! The merger: the scan, the rounds in which the pixel passes the chain, and the swap of the global frame buffer.
 
-use tilewright_rtl::lfb::ScanCounter;
+use tilewright_rtl::lfb::{Patches, ScanCounter};
 use tilewright_rtl::merger::STAGES;
-use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::Vc1;
 
 use super::drawing::Drawing;
@@ -17,7 +16,7 @@ pub(super) struct Merging {
     followed: Followed,
     background: u64,
     processors: u32,
-    screen: Screen,
+    patches: Patches,
     sequencer: Sequencer,
     banks: Banks,
     looks: Looks,
@@ -36,11 +35,17 @@ pub(super) struct Merging {
     frames: u32,
 }
 
+/// The places of a scan's wires among what is looked at, and of where its pixel is.
+const WIRES: usize = 3;
+const LOCATED: usize = WIRES + 12;
+
 /// The nets of the scan in a local frame buffer.
 struct Scanned {
     /// Those of the counter, and wires with their blocks.
     counter: [String; 3],
     wires: [(&'static str, String); 12],
+    /// The patch of the counter's pixel, and the place of the pixel before.
+    located: [String; 2],
     looks: Looks,
 }
 
@@ -63,8 +68,10 @@ impl Scanned {
         ];
         let counter = ["pixel_x", "pixel_y", "armed"].map(|it| unit(&format!("u_scan_counter.{it}")));
         let mut looks = Looks::default();
-        looks.add("", counter.iter().chain(wires.iter().map(|(_, name)| name)).map(String::as_str));
-        Scanned { counter, wires, looks }
+        let located = [unit("u_patch_table.scan_patch"), unit("u_image_memory.send_offset")];
+        let names = counter.iter().chain(wires.iter().map(|(_, name)| name)).chain(&located);
+        looks.add("", names.map(String::as_str));
+        Scanned { counter, wires, located, looks }
     }
 }
 
@@ -97,7 +104,7 @@ impl Merging {
             followed,
             background,
             processors: machine.processors,
-            screen: machine.lfb.patches.screen(),
+            patches: machine.lfb.patches,
             sequencer,
             banks: Banks {
                 merge_clocks: swap.merge_clocks,
@@ -157,6 +164,10 @@ impl Merging {
                 round.look(sim, edge, (drawing, &self.swapped));
             }
         }
+        if seen.enable && before.is_some_and(|it| !it.enable) {
+            // The scan was paused.
+            self.rounds.iter_mut().for_each(|round| round.goes_on(sim, edge));
+        }
         if before.is_some_and(|it| it.restart) {
             // What is in the chain at a restart is not stored.
             self.rounds.drain(..).for_each(|round| round.tell(true, told));
@@ -188,10 +199,11 @@ impl Merging {
 
     fn count(&mut self, sim: &mut Sim, edge: Edge, number: u64, told: &mut Told) {
         let scanned = self.scanned;
-        let [width, pixels] = [self.screen.width, self.screen.pixels()].map(u64::from);
+        let screen = self.patches.screen();
+        let [width, pixels] = [screen.width, screen.pixels()].map(u64::from);
         let behind = u64::from(STAGES) * number;
         let pixel = (scanned + pixels - behind % pixels) % pixels;
-        let Scanned { counter: names, looks, .. } = &mut self.scans[number as usize];
+        let Scanned { counter: names, located, looks, .. } = &mut self.scans[number as usize];
         looks.look(sim);
         let values = looks.from(0);
         let expected = [pixel % width, pixel / width, u64::from(scanned >= behind)];
@@ -202,20 +214,33 @@ impl Merging {
                 at.step("shows the pixel to send", vec![compared("pixel", shown(values), shown(expected))])
                     .on(&names[0])
             });
+            return;
+        }
+        let place = |pixel: u64| self.patches.place((pixel % width) as u32, (pixel / width) as u32);
+        let before = (scanned > 0).then(|| place((pixel + pixels - 1) % pixels).offset);
+        let expected = [("patch", Some(place(pixel).patch)), ("place in the page", before)];
+        for (at, (what, expected)) in expected.into_iter().enumerate() {
+            let (seen, name) = (looks.at(LOCATED + at), &located[at]);
+            if let Some(expected) = expected.filter(|expected| *expected != seen) {
+                told.check("locate", 0, false, || {
+                    let at = At { unit: format!("local frame buffer of PE {number}"), block: "lfb-unit", edge };
+                    at.step("locates the pixel to send", vec![compared(what, seen, expected)]).on(name)
+                });
+            }
         }
     }
 
     /// Looks at the control of the scan in one of the units, in each clock in another one.
     fn wires(&mut self, sim: &mut Sim, edge: Edge, scan: Scan, told: &mut Told) {
         let number = (edge.number % u64::from(self.processors)) as u32;
-        let screen = self.screen;
+        let screen = self.patches.screen();
         let preset = ScanCounter::preset(screen, number);
         let [restart, enable] = [scan.restart, scan.enable].map(u64::from);
         let [x, y] = [preset.x, preset.y];
         let expected = [restart, enable, x, y, restart, enable, x, y, enable, enable, enable, enable];
         let Scanned { wires, looks, .. } = &mut self.scans[number as usize];
         looks.look(sim);
-        for (((block, name), value), expected) in wires.iter().zip(&looks.values()[3..]).zip(expected) {
+        for (((block, name), value), expected) in wires.iter().zip(&looks.values()[WIRES..]).zip(expected) {
             let value = *value;
             if value != expected {
                 told.check("scan wire", 0, false, || {
@@ -262,5 +287,38 @@ impl Banks {
             (self.filled, self.next) = (self.filled ^ 1, 0);
         }
         swap
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vc1::Config;
+    use crate::way::Step;
+    use tilewright_rtl::clocks::MERGE;
+    use tilewright_scenes::Size;
+    use tilewright_sim::Simulation;
+
+    /// What differs in a machine with patches of 4x4 pixels from the model of one with patches of that edge.
+    fn differing(edge: u32) -> Vec<Step> {
+        let config = Config { processors: 2, ..Config::new(Size::new(16, 12).unwrap()) };
+        let mut sim = Simulation::of(&config.hardware().unwrap()).unwrap();
+        let model = Config { patch: edge, ..config }.hardware().unwrap();
+        let followed = Followed { x: 0, y: 0, number: 0, patch: 0, offset: 0 };
+        let (mut merging, mut told) = (Merging::new(&model, followed, 0), Told::default());
+        sim.reset();
+        for clock in 1..100 {
+            sim.step_clock(MERGE.name, 1);
+            merging.look(&mut sim, clock, (&mut [], &mut told));
+        }
+        told.take()
+    }
+
+    #[test]
+    fn where_a_local_frame_buffer_seeks_a_pixel_is_compared() {
+        assert_eq!(differing(4), []);
+        let steps = differing(8);
+        let step = steps.first().expect("patches of other sizes have other numbers");
+        assert_eq!((step.block, step.does.as_str()), ("lfb-unit", "locates the pixel to send"));
     }
 }

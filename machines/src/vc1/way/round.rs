@@ -30,6 +30,8 @@ pub(super) struct Round {
     page: Option<u64>,
     /// The word that the last merging unit should put out, and its inputs.
     inputs: [u64; 2],
+    /// The word that a local frame buffer sends.
+    sent: u64,
     steps: Vec<Step>,
     /// A local frame buffer sent a word.
     is_sent: bool,
@@ -49,6 +51,7 @@ impl Round {
             scans: 0,
             page: None,
             inputs: [0; 2],
+            sent: EMPTY,
             steps: Vec::new(),
             is_sent: false,
             is_changed: false,
@@ -173,6 +176,7 @@ impl Round {
             );
             self.is_sent |= sent != EMPTY;
         }
+        self.sent = sent;
         let [left, right] = ["left", "right"].map(|it| format!("u_merger.u_merging_unit[{number}].{it}"));
         let before = self.inputs[0].min(self.inputs[1]);
         self.inputs = [net(sim, &left), net(sim, &right)];
@@ -194,6 +198,22 @@ impl Round {
             let values = vec![compared("word", hex(self.inputs[1]), hex(came))];
             let at = At { unit: "image merger".to_owned(), block: "image-merger", edge };
             self.add(at.step(format!("passes the sample on to merging unit {number}"), values).on(right));
+        }
+    }
+
+    /// The scan goes on after a pause, in which what is sent has to stay.
+    pub fn goes_on(&mut self, sim: &mut Sim, edge: Edge) {
+        let number = self.clocks / STAGES;
+        if self.clocks % STAGES != SCAN_LATENCY || number >= self.processors {
+            return;
+        }
+        let (name, sent) = (format!("u_lfb[{number}].word"), self.sent);
+        let held = net(sim, &name);
+        if held != sent {
+            let at = At { unit: format!("image memory of PE {number}"), block: "image-memory", edge };
+            let values = vec![compared("word", hex(held), hex(sent))];
+            self.add(at.step("holds the pixel until it is taken", values).on(name));
+            self.inputs[1] = net(sim, &format!("u_merger.u_merging_unit[{number}].right"));
         }
     }
 
@@ -248,5 +268,27 @@ impl Round {
         let values = vec![value("old word", hex(old)), compared("new word", hex(stored), hex(self.inputs[0]))];
         let at = At { unit: "global frame buffer".to_owned(), block: "gfb-unit", edge };
         self.add(at.step(format!("stores the pixel in bank {}", self.bank), values).on(format!("{name}[{pixel}]")));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vc1::Config;
+    use tilewright_scenes::Size;
+    use tilewright_sim::Simulation;
+
+    #[test]
+    fn a_word_that_changes_in_a_pause_is_the_image_memorys() {
+        let config = Config { processors: 2, ..Config::new(Size::new(16, 12).unwrap()) };
+        let mut sim = Simulation::of(&config.hardware().unwrap()).unwrap();
+        sim.reset();
+        let followed = Followed { x: 0, y: 0, number: 0, patch: 0, offset: 0 };
+        // The frame buffers send nothing.
+        for (sent, clocks, blocks) in [(EMPTY, 2, &[][..]), (5, 2, &["image-memory"]), (5, 3, &[])] {
+            let mut round = Round { sent, clocks, ..Round::new(followed, 2, (0, None)) };
+            round.goes_on(&mut sim, super::super::merge(10));
+            assert_eq!(round.steps.iter().map(|step| step.block).collect::<Vec<_>>(), blocks, "{sent} at {clocks}");
+        }
     }
 }
