@@ -264,8 +264,8 @@ mod tests {
     use crate::run::Watch;
     use tilewright_scenes::{Scene, Size, project_polygons};
 
-    /// The first difference in a machine of one processor that gets other packets than its model.
-    fn first(change: impl Fn(&mut Vec<Polygon>)) -> Option<(&'static str, String)> {
+    /// The first difference in a machine of one processor that gets other packets than its model: the block, the net, and the value.
+    fn first(change: impl Fn(&mut Vec<Polygon>)) -> Option<(&'static str, String, String)> {
         let (scene, size) = (Scene::builtin("star").unwrap(), Size::new(8, 6).unwrap());
         let packets = project_polygons(&scene, size).unwrap().polygons;
         let config = Config { matrix: (1, 1), ..Config::for_packets(size, &packets) };
@@ -282,16 +282,23 @@ mod tests {
         host.read_out(size, [0; 3]).unwrap();
         host.following = None;
         let way = follower.take().unwrap();
-        way.first_difference()
-            .map(|step| (step.block, step.values.iter().find(|it| it.differs()).unwrap().hardware.clone()))
+        way.first_difference().map(|step| {
+            let value = step.values.iter().find(|it| it.differs()).unwrap();
+            (step.block, step.net.clone().unwrap(), value.hardware.clone())
+        })
     }
 
     #[test]
     fn a_packet_that_is_changed_or_lost_on_the_way_is_the_first_difference() {
         assert_eq!(first(|_| {}), None);
         let changed = first(|packets| packets[3].rgb[1].origin ^= 1 << 20);
-        assert_eq!(changed.map(|it| it.0), Some("quadtree-generator"));
+        let (block, net, _) = changed.unwrap();
+        assert_eq!((block, net.as_str()), ("quadtree-generator", "u_processor[0].packets_planes_origin[2]"));
         let lost = first(|packets| drop(packets.pop()));
-        assert_eq!(lost, Some(("quadtree-generator", "nothing".to_owned())));
+        let (block, net, value) = lost.unwrap();
+        assert_eq!(
+            (block, net.as_str(), value.as_str()),
+            ("quadtree-generator", "u_processor[0].packets_valid", "nothing")
+        );
     }
 }

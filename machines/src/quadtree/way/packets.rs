@@ -108,33 +108,34 @@ impl Packets {
         let packet = self.polygons.get(place.passed);
         place.passed += 1;
         place.fields.look(sim);
+        let place = &self.places[number];
         let fields = place.fields.values();
         let golden = packet.map(|packet| expected(packet, self.followed.format.edges() as usize));
         let wrong = match &golden {
-            None => Some(("packet", "another one".to_owned(), "nothing".to_owned())),
+            None => Some(("packet", "another one".to_owned(), "nothing".to_owned(), &place.valid)),
             Some(golden) => {
                 (0..).zip(fields).zip(golden).zip(&place.names).find_map(|(((at, value), golden), name)| {
                     let width = place.fields.width(at);
                     let golden = *golden as u64 & if width < 64 { (1 << width) - 1 } else { u64::MAX };
                     let value = *value;
-                    let name = name.rsplit('.').next().unwrap_or(name);
-                    (value != golden).then(|| ("field", format!("{name} {value:x}"), format!("{name} {golden:x}")))
+                    let field = name.rsplit('.').next().unwrap_or(name);
+                    (value != golden)
+                        .then(|| ("field", format!("{field} {value:x}"), format!("{field} {golden:x}"), name))
                 })
             }
         };
-        let place = &self.places[number];
         let is_told = number == 0 && packet.is_some_and(|it| self.followed.is_told(it));
         if is_told || wrong.is_some() {
             let primitive = packet.map(|_| place.passed - 1);
             let check = if number == 0 { "broadcast" } else { "packets" };
             told.check(check, 0, is_told, || {
                 let number = (place.passed - 1).to_string();
-                let values = match wrong {
-                    Some((what, value, golden)) => vec![compared(what, value, golden)],
-                    None => vec![compared("packet", &number, &number)],
+                let (values, net) = match wrong {
+                    Some((what, value, golden, net)) => (vec![compared(what, value, golden)], net),
+                    None => (vec![compared("packet", &number, &number)], &place.valid),
                 };
                 let at = At { unit: place.unit.clone(), block: place.block, edge };
-                at.step(place.does, values).of(primitive).on(&place.valid)
+                at.step(place.does, values).of(primitive).on(net)
             });
         }
     }
