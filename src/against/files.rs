@@ -17,7 +17,7 @@ pub fn run(paths: &[PathBuf], block: &BlockArguments, json: bool) -> Result<Exit
         return Err(Failure::new(Exit::BadInput, "--diff takes two waveform files: name both"));
     };
     let files = [Waves::read(one)?, Waves::read(other)?];
-    let ours = Ours::of(block, EngineKind::default())?;
+    let ours = Ours::of(block, EngineKind::default())?.without_free_reads()?;
     let Some(same) = files.iter().position(|file| is_run(&ours, file)) else {
         let [one, other] = files.map(|file| file.name);
         let sentence = format!(

@@ -50,11 +50,9 @@ impl AgainstOptions {
         let Some(other) = &self.against else { return Ok(Exit::Done) };
         let edited = other.edited(&self.verilog)?;
         other.check()?;
-        let mut ours = Ours::of(block, engine.kind())?;
-        if other.is_engine() {
-            // Engines agree on them.
-            ours.run.reads.clear();
-        }
+        let ours = Ours::of(block, engine.kind())?;
+        // Engines agree on all reads.
+        let ours = if other.is_engine() { ours } else { ours.without_free_reads()? };
         let theirs = other.waves(&ours.design, &ours.scenario, &ours.run, &edited)?;
         ours.compare(&theirs, other.is_simulator() && edited.is_empty(), None, json)
     }
@@ -77,6 +75,12 @@ impl Ours {
         let (design, scenario) = (design(entry, &values)?, entry.scenario(&values)?);
         let run = Run::of(&design, &scenario, engine, "tilewright")?;
         Ok(Ours { entry, values, design, scenario, run })
+    }
+
+    /// The same, whose reads that may give any value are not compared.
+    fn without_free_reads(mut self) -> Result<Ours, Failure> {
+        self.run.reads = reads::of_any(&self.design)?;
+        Ok(self)
     }
 
     /// Compares it with another run, and prints the first difference and its causes. `same` is a file that has the same run as ours.

@@ -100,9 +100,9 @@ impl Program {
         let path = folder.join(log);
         let printed = File::create(&path).map_err(cannot)?;
         let mut command = Command::new(&self.name);
-        // Ctrl-C reaches the program too, which then fails.
         // A signal may come as soon as the program runs.
         interrupt::flag();
+        // Ctrl-C reaches the program too, which then fails.
         let ended = run_watched(command.args(arguments).current_dir(folder), printed, || match interrupt::asked() {
             true => ControlFlow::Break(()),
             false => watch(&path),

@@ -224,7 +224,11 @@ impl Jit {
 
 /// Makes code of these programs, several at a time if there are processors for it.
 fn make_all(target: &dyn TargetIsa, programs: &[&Program]) -> Result<Vec<Made>, Unsupported> {
-    let threads = available_parallelism().map_or(1, NonZeroUsize::get).min(programs.len());
+    // The system is asked only if there is something to share.
+    let threads = match programs.len() {
+        0 | 1 => 1,
+        count => available_parallelism().map_or(1, NonZeroUsize::get).min(count),
+    };
     let next = AtomicUsize::new(0);
     let work = || {
         let mut context = Context::new();
