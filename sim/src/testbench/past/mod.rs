@@ -4,6 +4,7 @@
 //! that the testbench makes are enough: any earlier time is some instants after a checkpoint. In the past, the
 //! remembered changes happen again, up to the present.
 
+mod log;
 mod remembered;
 mod visits;
 
@@ -13,7 +14,8 @@ use crate::testbench::condition::Condition;
 use crate::testbench::error::Error;
 use crate::testbench::simulation::Simulation;
 
-pub(crate) use remembered::{Change, Past};
+pub(crate) use log::Change;
+pub(crate) use remembered::Past;
 
 /// Why a simulation cannot go to a time.
 ///
@@ -50,7 +52,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// memory is used up, it first keeps fewer checkpoints, so that going back takes longer, and then forgets the
     /// earliest time.
     ///
-    /// A run of many clocks takes up to 4 % longer, and a testbench that sets an input in each clock up to a third
+    /// A run of many clocks takes up to 4 % longer, and a testbench that sets an input in each clock up to a tenth
     /// (`cargo bench -p tilewright-benches --bench past`).
     ///
     /// ```

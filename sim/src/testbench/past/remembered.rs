@@ -8,6 +8,7 @@ use crate::testbench::checkpoint::Checkpoint;
 use crate::testbench::condition::Condition;
 use crate::testbench::error::Error;
 use crate::testbench::past::Unremembered;
+use crate::testbench::past::log::{Change, Log, Place};
 use crate::testbench::port::Port;
 use crate::testbench::running::Running;
 
@@ -26,60 +27,31 @@ pub(crate) struct Past {
     due: u64,
     /// The checkpoints, the earliest first.
     pub(super) points: Vec<Point>,
-    /// The changes since the first checkpoint, in sequence, each with its time.
-    pub(super) changes: Vec<(u64, Change)>,
-    /// The bytes of those before the last checkpoint, and of those since.
+    /// The changes since the first checkpoint.
+    pub(super) changes: Log,
+    /// The bytes of those before the last checkpoint.
     before: usize,
-    recent: usize,
-    /// The next change to make. In the present there is none.
-    pub(super) next: usize,
+    /// The number of changes at which something is to do before the next one.
+    full: usize,
+    /// In the past, the next change to make; in the present there is none.
+    pub(super) next: Option<Place>,
     /// The latest time that was reached.
     present: u64,
 }
 
-/// A checkpoint, the number of changes before it, and the bytes that it takes beside the point before.
+/// A checkpoint, its place among the changes, and the bytes that it takes beside the point before.
 pub(super) struct Point {
     pub checkpoint: Checkpoint,
-    pub changes: usize,
+    pub changes: Place,
     pub bytes: usize,
     /// It is there only while somebody looks at many earlier times.
     pub is_passing: bool,
 }
 
 impl Point {
-    fn new(checkpoint: Checkpoint, changes: usize, before: Option<&Point>) -> Point {
+    fn new(checkpoint: Checkpoint, changes: Place, before: Option<&Point>) -> Point {
         let bytes = checkpoint.saved.bytes_beside(before.map(|point| &point.checkpoint.saved));
         Point { checkpoint, changes, bytes, is_passing: false }
-    }
-}
-
-/// What a testbench changes.
-#[derive(Debug, Clone)]
-pub(crate) enum Change {
-    /// An input, by number, that has one limb.
-    Input(u32, u64),
-    /// A wide input.
-    Wide(Box<(u32, Vec<u64>)>),
-    /// Whether the reset of a clock is active.
-    Reset(u32, bool),
-    /// A word of a memory, at a lane and an address.
-    Word(Box<([u32; 3], Vec<u64>)>),
-}
-
-impl Change {
-    /// An input of any width.
-    pub fn of_input(port: u32, limbs: &[u64]) -> Change {
-        if let [limb] = limbs { Change::Input(port, *limb) } else { Change::Wide(Box::new((port, limbs.to_vec()))) }
-    }
-
-    /// Its bytes, about.
-    fn bytes(&self) -> usize {
-        size_of::<(u64, Change)>()
-            + match self {
-                Change::Wide(wide) => size_of_val(&**wide) + size_of_val(&wide.1[..]),
-                Change::Word(word) => size_of_val(&**word) + size_of_val(&word.1[..]),
-                Change::Input(..) | Change::Reset(..) => 0,
-            }
     }
 }
 
@@ -87,8 +59,11 @@ impl Past {
     /// Nothing but this checkpoint, as a beginning.
     fn from(checkpoint: Checkpoint, most: usize, interval: u64) -> Past {
         let (present, due) = (checkpoint.time(), checkpoint.time().saturating_add(interval));
-        let points = vec![Point::new(checkpoint, 0, None)];
-        Past { most, interval, due, points, changes: Vec::new(), before: 0, recent: 0, next: 0, present }
+        let changes = Log::from(present);
+        let points = vec![Point::new(checkpoint, changes.end(), None)];
+        let mut past = Past { most, interval, due, points, changes, before: 0, full: 0, next: None, present };
+        past.make_room();
+        past
     }
 
     /// The most bytes that it may have.
@@ -98,32 +73,40 @@ impl Past {
 
     /// The time at which something is to do.
     fn pause(&self) -> u64 {
-        self.changes.get(self.next).map_or(self.due, |(time, _)| self.due.min(*time))
+        let next = self.next.and_then(|next| self.changes.after(next));
+        next.map_or(self.due, |(_, after)| self.due.min(after.time))
     }
 
-    /// Notes a change at this time; what was remembered of later is forgotten.
-    pub fn note(&mut self, now: u64, change: Change) {
-        if self.present > now || self.next < self.changes.len() {
-            self.fork(now);
+    /// Prepares for changes at this time. What was remembered of later is forgotten.
+    #[cold]
+    fn prepare(&mut self, now: u64) {
+        if let Some(next) = self.next.take() {
+            self.fork(now, next);
         }
-        self.recent += change.bytes();
-        self.changes.push((now, change));
-        self.next += 1;
-        if self.recent > self.most / 4 {
+        self.make_room();
+        if self.changes.len() >= self.full {
             self.due = now;
         }
     }
 
-    /// Forgets what comes after this time.
-    #[cold]
-    fn fork(&mut self, now: u64) {
-        self.changes.truncate(self.next);
+    /// Forgets what comes after this time, and the changes from a place on.
+    fn fork(&mut self, now: u64, next: Place) {
+        self.changes.truncate(next);
         self.points.retain(|point| point.checkpoint.time() <= now);
         self.present = now;
-        let bytes = |changes: &[(u64, Change)]| changes.iter().map(|(_, change)| change.bytes()).sum();
-        self.recent = bytes(&self.changes[self.last().changes..]);
-        self.before = bytes(&self.changes[..self.last().changes]);
+        self.before = self.changes.bytes(self.points[0].changes, self.last().changes);
         self.due = self.last().checkpoint.time().saturating_add(self.interval);
+    }
+
+    /// Sets how many changes there may be before the next checkpoint.
+    fn make_room(&mut self) {
+        let room = (self.most / 4).saturating_sub(self.recent());
+        self.full = self.changes.len() + room / Log::ENTRY;
+    }
+
+    /// The bytes of the changes since the last checkpoint.
+    fn recent(&self) -> usize {
+        self.changes.bytes(self.last().changes, self.changes.end())
     }
 
     fn last(&self) -> &Point {
@@ -132,7 +115,7 @@ impl Past {
 
     /// The bytes of all that is remembered.
     fn bytes(&self) -> usize {
-        self.before + self.recent + self.points.iter().map(|point| point.bytes).sum::<usize>()
+        self.before + self.recent() + self.points.iter().map(|point| point.bytes).sum::<usize>()
     }
 
     /// Points have other points before them than they had.
@@ -145,9 +128,11 @@ impl Past {
 
     /// Adds a checkpoint of the present, and forgets until all fits.
     fn add(&mut self, checkpoint: Checkpoint) {
-        self.before += std::mem::take(&mut self.recent);
+        self.before += self.recent();
         self.present = checkpoint.time();
-        self.points.push(Point::new(checkpoint, self.changes.len(), self.points.last()));
+        // All changes have been made: this is the present.
+        self.next = None;
+        self.points.push(Point::new(checkpoint, self.changes.end(), self.points.last()));
         while self.points.len() > 1 && self.bytes() > self.most {
             if self.points.len() == 2 || self.before > self.most / 2 {
                 self.forget();
@@ -157,15 +142,17 @@ impl Past {
             self.measure();
         }
         self.due = self.present.saturating_add(self.interval);
+        self.make_room();
     }
 
     /// Forgets the time before the second checkpoint.
     fn forget(&mut self) {
-        self.points.remove(0);
+        let first = self.points.remove(0).changes;
         let gone = self.points[0].changes;
-        self.before -= self.changes.drain(..gone).map(|(_, change)| change.bytes()).sum::<usize>();
-        self.points.iter_mut().for_each(|point| point.changes -= gone);
-        self.next -= gone;
+        self.before -= self.changes.bytes(first, gone);
+        self.changes.forget(gone);
+        self.points.iter_mut().for_each(|point| point.changes = point.changes.without(gone));
+        self.next = self.next.map(|next| next.without(gone));
     }
 
     /// Leaves every second checkpoint out, but neither the first nor the last.
@@ -201,10 +188,16 @@ impl Running {
     }
 
     /// Notes a change, if anything is remembered.
+    #[inline]
     pub fn note(&mut self, change: impl FnOnce() -> Change) {
         if let Some(past) = &mut self.past {
-            past.note(self.timeline.time(), change());
-            self.pause_at = past.due;
+            let now = self.timeline.time();
+            if past.changes.len() >= past.full {
+                past.prepare(now);
+                self.pause_at = past.due;
+            }
+            let beside = past.changes.push(now, change());
+            past.full = past.full.saturating_sub(beside / Log::ENTRY);
         }
     }
 
@@ -226,11 +219,11 @@ impl Running {
     pub(super) fn catch_up(&mut self) {
         let Some(mut past) = self.past.take() else { return };
         let now = self.timeline.time();
-        while let Some((time, change)) = past.changes.get(past.next)
-            && *time <= now
+        while let Some((change, after)) = past.next.and_then(|next| past.changes.after(next))
+            && after.time <= now
         {
-            self.make(change);
-            past.next += 1;
+            self.make(&change);
+            past.next = Some(after);
         }
         if now >= past.due {
             past.add(self.checkpoint(Some(&past.last().checkpoint.saved)));
@@ -280,7 +273,8 @@ impl Running {
     fn go_back_to(&mut self, point: usize) {
         let Some(mut past) = self.past.take() else { return };
         let Point { checkpoint, changes, .. } = &past.points[point];
-        past.next = *changes;
+        past.next = Some(*changes);
+        past.full = 0;
         self.go_on_from(checkpoint);
         self.past = Some(past);
         self.catch_up();

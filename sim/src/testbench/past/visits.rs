@@ -2,7 +2,6 @@
 
 use super::remembered::{Past, Point};
 use crate::testbench::error::Error;
-use crate::testbench::past::Change;
 use crate::testbench::running::Running;
 
 /// How many instants before a visited time there is a passing checkpoint.
@@ -16,9 +15,7 @@ impl Past {
 
     /// The last time up to `now` at which the testbench set a word: a memory, a lane and an address.
     pub fn set_word(&self, word: [u32; 3], now: u64) -> Option<u64> {
-        let count = self.changes.partition_point(|(time, _)| *time <= now);
-        let is_it = |change: &Change| matches!(change, Change::Word(set) if set.0 == word);
-        self.changes[..count].iter().rev().find(|(_, change)| is_it(change)).map(|(time, _)| *time)
+        self.changes.set_word(word, now)
     }
 
     /// Forgets the passing checkpoints after this time.
@@ -62,7 +59,7 @@ impl Running {
         let at = past.points.partition_point(|point| point.checkpoint.time() <= now);
         if past.points[at - 1].checkpoint.time() < now {
             let checkpoint = self.checkpoint(Some(&past.points[at - 1].checkpoint.saved));
-            let changes = past.next;
+            let changes = past.next.unwrap_or(past.changes.end());
             past.points.insert(at, Point { checkpoint, changes, bytes: 0, is_passing: true });
         }
         self.past = Some(past);
