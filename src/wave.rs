@@ -4,7 +4,8 @@ use crate::against::{AgainstOptions, run_of_files};
 use crate::block::{BlockArguments, design, ports, simulation};
 use crate::engine::EngineArguments;
 use crate::first_difference;
-use crate::mappings;
+use crate::formats;
+
 use crate::names;
 use crate::player::{check_length, play};
 use crate::shell::output::{Output, Waveform};
@@ -139,7 +140,8 @@ impl Wave {
         let outputs = self.output.iter().chain(beside.iter().map(|(_, path)| path));
         check_distinct(&Vec::from_iter(outputs.map(PathBuf::as_path)), &[])?;
         let (entry, values) = block.find()?;
-        let mut sim = simulation(&design(entry, &values)?, self.engine.kind())?;
+        let design = design(entry, &values)?;
+        let mut sim = simulation(&design, self.engine.kind())?;
         let scenario = entry.scenario(&values)?;
         let text = self.is_text().then(|| self.record_ports(&mut sim, &scenario, "a wave in text")).transpose()?;
         if picture.is_some() {
@@ -166,7 +168,7 @@ impl Wave {
                 files.push(path.clone());
             }
             if let (Some(waveform), false) = (vcd, beside.is_empty()) {
-                let written = mappings::write(waveform, &sim).map(|written| files.extend(written));
+                let written = formats::write(waveform, &design, &sim).map(|written| files.extend(written));
                 ended = Failure::both(ended, written);
             }
         }

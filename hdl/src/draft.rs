@@ -41,6 +41,8 @@ pub(crate) struct Draft {
     /// The names of each instance's output ports.
     pub instance_outputs: Vec<Vec<String>>,
     pub properties: Vec<DraftProperty>,
+    /// The records that are packed into words, each once.
+    pub records: Vec<Record>,
     /// The place of each cover, by its name.
     pub covers: HashMap<String, Loc>,
     /// The registers of past values, by their signals.
@@ -163,6 +165,7 @@ impl Draft {
             instance_parts: Vec::new(),
             instance_outputs: Vec::new(),
             properties: Vec::new(),
+            records: Vec::new(),
             covers: HashMap::new(),
             pasts: BTreeMap::new(),
             chosen: Vec::new(),

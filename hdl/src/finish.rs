@@ -212,6 +212,7 @@ fn module(
         memories,
         instances,
         properties,
+        records: draft.records,
         foreign: draft.foreign,
         is_pad: draft.is_pad,
         unmodelled: draft.unmodelled.is_some(),

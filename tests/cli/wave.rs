@@ -34,6 +34,20 @@ fn codes_have_mapping_files_for_surfer() {
 }
 
 #[test]
+fn words_that_are_records_have_a_decoder_for_surfer() {
+    let folder = Folder::new();
+    let report = folder.json("wave patch-table -o table.vcd --memory entries --json");
+    let file = ".surfer/decoders/Entry/fields.toml";
+    assert!(report["files"].as_array().unwrap().contains(&file.into()), "{report}");
+    let text = folder.read(file);
+    assert!(text.starts_with("# Tilewright\nset = \"fields\"\nwidth = 3\n"), "{text}");
+    assert!(text.contains("repr = { default = \"resident %resident%, page %page%\" }"), "{text}");
+    // Its word is as wide as the decoder says.
+    let waveform = Waveform::read(&folder.path("table.vcd"));
+    assert!(waveform.names.iter().any(|name| name.ends_with(".entries[0][2:0]")), "{:?}", waveform.names);
+}
+
+#[test]
 fn filters_choose_signals_and_times() {
     let folder = Folder::new();
     folder.stdout("wave image-merger -o some.vcd --scope u_merging_unit[1].** --from 0.4us --to 800ns");

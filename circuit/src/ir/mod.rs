@@ -24,6 +24,7 @@ mod op;
 mod pads;
 mod ports;
 mod property;
+mod record;
 mod register;
 mod shape;
 mod state;
@@ -44,6 +45,7 @@ pub use memory::{Contents, Memory, ReadPort, ReadUnderWrite, WritePort};
 pub use op::{Binary, Op, Reduction, Relation, Shift, Unary};
 pub use ports::{Clock, Input, Output};
 pub use property::{Attribute, Directive, Property};
+pub use record::{Field, Record};
 pub use register::{Init, Register};
 pub use shape::Shape;
 pub use state::State;
@@ -87,6 +89,8 @@ pub struct Module {
     pub instances: Vec<Instance>,
     /// The properties: assertions, assumptions, covers and displays.
     pub properties: Vec<Property>,
+    /// The records that are packed into words, each once.
+    pub records: Vec<Record>,
     /// The module of somebody else for which this one is a model.
     pub foreign: Option<Foreign>,
     /// Whether that model is missing, and the outputs are zeros in its place.

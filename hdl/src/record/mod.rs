@@ -20,17 +20,35 @@ use crate::data::Data;
 use crate::elaboration;
 use crate::fields::{Fields, Leaf};
 use crate::limits::{WIDEST, sound_width};
-use crate::names::{bits_text, port_name};
+use crate::names::{bits_text, is_legal, port_name, short};
 use crate::select::{concat, lit};
 use crate::signal::Signal;
 use crate::width::{Width, bits};
-use tilewright_circuit::ir::{Kind, NodeId, Op, Shape};
+use std::any::type_name;
+use tilewright_circuit::ir::{self, Field, Kind, NodeId, Op, Shape};
 
 #[doc(hidden)]
 #[track_caller]
 pub fn pack<B: Bundle>(record: &B) -> Signal {
-    let fields: Vec<Signal> = record.leaves().into_iter().map(|(_, signal)| signal).collect();
+    let fields = record.leaves();
+    note_record::<B>(fields.iter().map(|(path, signal)| (path, signal.width, signal.kind)));
+    let fields: Vec<Signal> = fields.into_iter().map(|(_, signal)| signal).collect();
     concat(&fields)
+}
+
+/// Notes the record of that type as one that is packed into words. Lists and tuples have no name to show them by.
+fn note_record<F>(fields: impl Iterator<Item = (impl AsRef<str>, u32, Kind)>) {
+    let of = short(type_name::<F>());
+    if !is_legal(of) {
+        return;
+    }
+    let field = |(path, width, kind): (_, u32, Kind)| Field { name: port_name("", AsRef::as_ref(&path)), width, kind };
+    let record = ir::Record { of, fields: fields.map(field).collect() };
+    elaboration::draft(|draft| {
+        if !draft.records.contains(&record) {
+            draft.records.push(record);
+        }
+    });
 }
 
 #[doc(hidden)]
@@ -143,8 +161,12 @@ pub(crate) fn sound_fields<F: Fields<Width>>(layout: &F) -> Vec<(String, Width)>
 #[track_caller]
 fn split<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
     let loc = Loc::caller();
-    let widths: Vec<u32> = sound_fields(layout).iter().map(|(_, width)| width.bits).collect();
+    let fields = sound_fields(layout);
+    let widths: Vec<u32> = fields.iter().map(|(_, width)| width.bits).collect();
     let fits = widths.iter().map(|width| u64::from(*width)).sum::<u64>() == word.width.into();
+    if fits && fields.iter().all(|(path, _)| !path.is_empty()) {
+        note_record::<F>(fields.iter().map(|(path, width)| (path, width.bits, width.kind)));
+    }
     let mut high = word.width;
     let mut fields = Vec::with_capacity(widths.len());
     for width in widths {

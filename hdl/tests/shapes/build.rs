@@ -37,6 +37,7 @@ impl Build {
             memories: vec![],
             instances: vec![],
             properties: vec![],
+            records: vec![],
             foreign: None,
             unmodelled: false,
             is_pad: false,
