@@ -84,15 +84,38 @@ fn primitive(it: &Primitive) -> String {
     format!("{name}: {drawn}{}", if *wins { ", visible" } else { "" })
 }
 
-/// A line for each step, by time: the clock, what the unit does, and the values.
+/// The most steps of a kind, one after the other, that each have a line.
+const MOST_ALIKE: usize = 20;
+
+/// A line for each step, by time: the clock, what the unit does, and the values. Of many alike, a line says how many more
+/// there are.
 fn steps(way: &Way) -> String {
-    let first = way.first_difference();
+    let lines = lines(way);
+    let is_alike = |(a, _): &(&Step, String), (b, _): &(&Step, String)| {
+        !a.differs() && !b.differs() && (a.primitive, a.block, &a.does) == (b.primitive, b.block, &b.does)
+    };
+    let lines: Vec<(&Step, String)> = way.steps.iter().zip(lines).collect();
     let mut text = String::new();
+    for run in lines.chunk_by(is_alike) {
+        let [first @ .., (_, last)] = run else { continue };
+        let left_out = if run.len() > MOST_ALIKE { first.len() - 2 } else { 0 };
+        text.extend(first[..first.len() - left_out].iter().map(|(_, line)| line.as_str()));
+        if left_out > 0 {
+            let _ = writeln!(text, "  ... {left_out} more of this kind, as the model has them (--json shows all)");
+        }
+        text += last;
+    }
+    text
+}
+
+/// The line of each step.
+fn lines(way: &Way) -> Vec<String> {
+    let first = way.first_difference();
     let time = |step: &Step| format!("{:.3} us", step.time as f64 / 1e6);
     let clock = |step: &Step| format!("{} {}", step.clock, step.cycle);
     let longest = |of: &dyn Fn(&Step) -> String| way.steps.iter().map(|step| of(step).len()).max().unwrap_or(0);
     let [times, clocks] = [longest(&time), longest(&clock)];
-    for step in &way.steps {
+    let line = |step: &Step| {
         let mark = match first {
             Some(first) if std::ptr::eq(first, step) => ">",
             _ if step.differs() => ".",
@@ -101,16 +124,10 @@ fn steps(way: &Way) -> String {
         let values: Vec<String> = step.values.iter().map(value).collect();
         let of = step.primitive.and_then(|number| way.primitives.iter().find(|it| it.number == number));
         let of = of.filter(|_| way.primitives.len() > 1).map_or_else(String::new, |it| format!("{}: ", it.name));
-        let (time, clock) = (time(step), clock(step));
-        let _ = writeln!(
-            text,
-            "{mark} {time:>times$}  {clock:<clocks$}  {of}{} {}: {}",
-            step.unit,
-            step.does,
-            values.join(", ")
-        );
-    }
-    text
+        let (time, clock, values) = (time(step), clock(step), values.join(", "));
+        format!("{mark} {time:>times$}  {clock:<clocks$}  {of}{} {}: {values}\n", step.unit, step.does)
+    };
+    way.steps.iter().map(line).collect()
 }
 
 /// A value, with the model's if that is another one.
@@ -242,6 +259,22 @@ mod tests {
         let json = json(&told(&wrong(), Some(9)), &[]);
         assert_eq!((&json["identical"], &json["first_difference"]["step"]), (&false.into(), &1.into()));
         assert_eq!(json["first_difference"]["source"], "rtl/src/merger/unit.rs");
+    }
+
+    #[test]
+    fn of_many_steps_alike_the_first_two_and_the_last_are_shown() {
+        let times = |count: u64| -> Vec<String> {
+            let mut way = wrong();
+            let alike = |number| Step { time: number * 1_000_000, ..way.steps[0].clone() };
+            let many: Vec<Step> = (1..=count).map(alike).collect();
+            way.steps.splice(0..1, many);
+            let text = text(&told(&way, Some(9)));
+            let lines = text.lines().filter(|line| line.contains(" us ") || line.contains("more of this kind"));
+            lines.map(|line| line.split(" us ").next().unwrap_or_default().trim().to_owned()).collect()
+        };
+        assert_eq!(times(20).len(), 22);
+        let left_out = "... 18 more of this kind, as the model has them (--json shows all)";
+        assert_eq!(times(21), ["1.000", "2.000", left_out, "21.000", ">  0.240", ".  0.320"]);
     }
 
     #[test]

@@ -70,7 +70,8 @@ impl Pictured {
         let shown = |word: u64| format!("{word:012x}");
         let values = vec![compared("word", shown(seen), shown(right))];
         if came.is_some() || seen != right {
-            let net = format!("word[{}]", self.column);
+            // What is stored depends on the write as well, and what is read later tells of both.
+            let net = format!("{}[{}]", if seen == right { "word" } else { "words" }, self.column);
             let step = self.unit.step_at(&net, clock, None, "writes the pixel's word", values);
             self.told.tell(step);
         }
