@@ -16,7 +16,7 @@ module packed_ports (
     output wire [23:0] lanes
 );
 
-    wire [7:0] u_single_smallest;                                // gen/tests/../../hdl/tests/shapes/build.rs:274
+    wire [7:0] u_single_smallest;                                // gen/tests/../../hdl/tests/shapes/build.rs:275
 
     wire [23:0] u_single_x;                                      // gen/tests/lanes/modules.rs:133
 

@@ -31,7 +31,7 @@ pub(crate) struct Past {
     pub(super) changes: Log,
     /// The bytes of those before the last checkpoint.
     before: usize,
-    /// The number of changes at which something is to do before the next one.
+    /// The length of the log at which something is to do before the next change.
     full: usize,
     /// In the past, the next change to make; in the present there is none.
     pub(super) next: Option<Place>,
