@@ -52,7 +52,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// memory is used up, it first keeps fewer checkpoints, so that going back takes longer, and then forgets the
     /// earliest time.
     ///
-    /// A run of many clocks takes up to 4 % longer, and a testbench that sets an input in each clock up to a tenth
+    /// A run of many clocks takes up to 4 % longer, and a testbench that sets an input in each clock about a tenth
     /// (`cargo bench -p tilewright-benches --bench past`).
     ///
     /// ```
