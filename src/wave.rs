@@ -5,7 +5,6 @@ use crate::block::{BlockArguments, design, ports, simulation};
 use crate::engine::EngineArguments;
 use crate::first_difference;
 use crate::formats;
-
 use crate::names;
 use crate::player::{check_length, play};
 use crate::shell::output::{Output, Waveform};

@@ -6,26 +6,25 @@
 use super::{FIRST_LINE, named};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use tilewright_hdl::ir::{Design, Field, Kind, Names};
+use tilewright_hdl::ir::{Design, Field, Kind, Names, Record};
 
 /// Surfer's decoders take values of at most that many bits.
 const WIDEST: u64 = 64;
 
 /// The decoder of each record that is packed into words, by the name of its type.
 pub(super) fn files(design: &Design) -> Vec<(String, String)> {
-    let mut records: Vec<(&str, &[Field])> = Vec::new();
+    let mut records: Vec<(&str, &Record)> = Vec::new();
     for record in design.modules().iter().flat_map(|module| &module.records) {
-        let format = (record.of, &record.fields[..]);
-        if record.width() <= WIDEST && !records.contains(&format) {
-            records.push(format);
+        if record.width() <= WIDEST && !records.contains(&(record.of, record)) {
+            records.push((record.of, record));
         }
     }
-    named(records, |_, fields| text(fields))
+    named(records, |_, record| text(record))
 }
 
-fn text(fields: &[Field]) -> String {
+fn text(record: &Record) -> String {
+    let (fields, width) = (&record.fields, record.width());
     let lines = |line: &dyn Fn(&Field) -> String| fields.iter().map(line).collect::<Vec<_>>();
-    let width: u32 = fields.iter().map(|field| field.width).sum();
     let parts = lines(&|Field { name, width, kind }| format!("  [\"{name}\", {width}, \"{}\"],\n", part(*kind)));
     let slices =
         lines(&|Field { name, width, .. }| format!("  {{ name = \"{name}\", top = {}, bot = 0 }},\n", width - 1));
@@ -66,7 +65,7 @@ mod tests {
     #[test]
     fn a_decoder_has_a_slice_and_a_part_for_each_field() {
         let field = |name: &str, width, kind| Field { name: name.to_owned(), width, kind };
-        let fields = [
+        let fields = vec![
             field("phase", 2, Kind::Code(Phase::NAMES)),
             field("step", 5, Kind::Signed),
             field("at_0_x", 9, Kind::Number),
@@ -100,6 +99,6 @@ instructions = { any = { mask = 0, match = 0 } }
 names = ["Phase"]
 Phase = { 0 = "Idle", 2 = "Run" }
 "#;
-        assert_eq!(text(&fields), expected);
+        assert_eq!(text(&Record { of: "Part", fields }), expected);
     }
 }

@@ -90,11 +90,10 @@ const MOST_ALIKE: usize = 20;
 /// A line for each step, by time: the clock, what the unit does, and the values. Of many alike, a line says how many more
 /// there are.
 fn steps(way: &Way) -> String {
-    let lines = lines(way);
     let is_alike = |(a, _): &(&Step, String), (b, _): &(&Step, String)| {
         !a.differs() && !b.differs() && (a.primitive, a.block, &a.does) == (b.primitive, b.block, &b.does)
     };
-    let lines: Vec<(&Step, String)> = way.steps.iter().zip(lines).collect();
+    let lines: Vec<(&Step, String)> = way.steps.iter().zip(lines(way)).collect();
     let mut text = String::new();
     for run in lines.chunk_by(is_alike) {
         let [first @ .., (_, last)] = run else { continue };

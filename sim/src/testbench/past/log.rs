@@ -1,5 +1,6 @@
-//! The changes that a testbench makes, in sequence and packed: one of a narrow input takes 4 bytes, because a testbench
-//! that sets an input in each clock makes many, and new memory takes longer than all else.
+//! The changes that a testbench makes, in sequence and packed. One of a narrow input takes 4 bytes.
+//!
+//! A testbench that sets an input in each clock makes many changes, and new memory for them takes longer than all else.
 
 use std::borrow::Cow;
 
@@ -57,6 +58,11 @@ pub(super) struct Log {
     stride: u64,
 }
 
+/// The entry of an input, which comes at once or a stride after the change before.
+fn entry(port: u32, since: u64, value: u64) -> u32 {
+    port << PORT_SHIFT | if since == 0 { 0 } else { STRIDE } | value as u32
+}
+
 /// A place between two changes of a log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
@@ -100,7 +106,7 @@ impl Log {
         match change {
             Change::Input(port, value) if port < OTHER && value < LONG && (since == 0 || since == self.stride) => {
                 self.time = time;
-                self.entries.push(port << PORT_SHIFT | if since == 0 { 0 } else { STRIDE } | value as u32);
+                self.entries.push(entry(port, since, value));
                 0
             }
             change => self.push_other(time, change),
@@ -117,7 +123,7 @@ impl Log {
                     self.stride = since;
                     self.entries.extend([STRIDES << PORT_SHIFT | (since >> 32) as u32, since as u32]);
                 }
-                self.entries.push(port << PORT_SHIFT | if since == 0 { 0 } else { STRIDE } | value.min(LONG) as u32);
+                self.entries.push(entry(port, since, value.min(LONG)));
                 if value >= LONG {
                     self.entries.extend([(value >> 32) as u32, value as u32]);
                 }
