@@ -203,23 +203,31 @@ impl Running {
 
     /// Advances until the condition is true; returns the number of instants.
     fn try_run_until(&mut self, until: &Until, limit: u64) -> Result<Option<u64>, Error> {
-        if self.is_plain() {
-            return self.repeat_until(until, limit);
-        }
-        for instants in 1..=limit {
-            self.try_step()?;
-            if until.holds(self.engine.read(until.value)) {
+        let mut instants = 0;
+        while instants < limit {
+            let (done, holds) = match self.is_plain() {
+                true => self.repeat_until(until, limit - instants)?,
+                false => {
+                    self.try_step()?;
+                    (1, until.holds(self.engine.read(until.value)))
+                }
+            };
+            instants += done;
+            if holds {
                 return Ok(Some(instants));
             }
         }
         Ok(None)
     }
 
-    /// The same for one clock, without observers.
-    fn repeat_until(&mut self, until: &Until, limit: u64) -> Result<Option<u64>, Error> {
+    /// The same for one clock, until there is an observer: the number of instants, and whether the condition is true.
+    fn repeat_until(&mut self, until: &Until, limit: u64) -> Result<(u64, bool), Error> {
         let mut instants = 0;
         while instants < limit {
             self.attend();
+            if !self.is_plain() {
+                break;
+            }
             let fits = (limit - instants).min(self.timeline.room()).min(self.until_pause());
             if fits == 0 {
                 return Err(Error::Late);
@@ -228,11 +236,11 @@ impl Running {
             self.timeline.repeat(done.edges);
             instants += done.edges;
             match holds {
-                true => return Ok(Some(instants)),
+                true => return Ok((instants, true)),
                 false if done.edges < fits => return Err(self.stopped()),
                 false => {}
             }
         }
-        Ok(None)
+        Ok((instants, false))
     }
 }

@@ -169,6 +169,9 @@ impl Running {
         let mut left = n;
         while left > 0 {
             self.attend();
+            if self.is_plain() {
+                return self.repeat(left);
+            }
             let rows = self.rows(left)?;
             if rows == 0 {
                 self.single_step()?;
@@ -189,6 +192,9 @@ impl Running {
         // An engine counts down to the last edge, so it executes at least one.
         while left > 0 {
             self.attend();
+            if !self.is_plain() {
+                return self.repeat_seen(left);
+            }
             let fits = left.min(self.timeline.room()).min(self.until_pause());
             if fits == 0 {
                 return Err(Error::Late);
@@ -212,12 +218,13 @@ impl Running {
 
     /// Executes every instant up to and including this time.
     pub fn try_run_to(&mut self, time: u64) -> Result<(), Error> {
-        if self.observers.is_empty() && self.program.clocks.len() > 1 {
-            return self.run_unseen_to(time);
-        }
         while let next = self.timeline.next_time().ok_or(Error::Late)?
             && next <= time
         {
+            if self.observers.is_empty() && self.program.clocks.len() > 1 {
+                self.run_unseen_to(time)?;
+                continue;
+            }
             match &self.program.clocks[..] {
                 [clock] => self.try_run((time - next) / clock.period + 1)?,
                 _ => self.try_step()?,
@@ -226,10 +233,13 @@ impl Running {
         Ok(())
     }
 
-    /// The same for several clocks, without observers.
+    /// The same for several clocks, until there is an observer.
     fn run_unseen_to(&mut self, time: u64) -> Result<(), Error> {
         loop {
             self.attend();
+            if !self.observers.is_empty() {
+                return Ok(());
+            }
             self.engine.instants(self.timeline.ticks(), time.min(self.pause_at));
             let until = self.timeline.next_time().ok_or(Error::Late)?;
             if until > time {
@@ -248,6 +258,7 @@ impl Running {
         let until = self.timeline.next_time().unwrap_or(1);
         self.rising.clear();
         let mut observers = std::mem::take(&mut self.observers);
+        observers.extend(self.resting.take());
         let ends: Vec<_> = observers.iter_mut().map(|observer| observer.finish(&mut self.view(until))).collect();
         ends.into_iter().collect::<Result<(), Error>>()?;
         Ok(self.engine.agree()?)
@@ -269,6 +280,7 @@ impl Running {
         self.observers.retain(|observer| !observer.is_over());
         if result.is_ok() {
             self.changed = Triggers::NONE;
+            self.let_rest();
         }
         result
     }

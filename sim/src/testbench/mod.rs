@@ -21,6 +21,7 @@ mod port_lanes;
 mod port_order;
 mod processes;
 mod replay;
+mod resting;
 mod run;
 mod running;
 mod simulation;

@@ -89,7 +89,7 @@ impl Running {
     #[track_caller]
     fn start_as(&mut self, initial: &[Initial]) -> Result<(), UnknownName> {
         assert!(self.timeline.time() == 0, "a start can only be given before the first step");
-        assert!(self.observers.is_empty(), "give the start before attaching a trace");
+        assert!(!self.is_observed(), "give the start before attaching a trace");
         let (mut given, mut memories) = (Vec::new(), Vec::new());
         for start in initial {
             match lookup::signal(&self.program.hierarchy, &start.path, 0) {

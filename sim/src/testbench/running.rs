@@ -10,6 +10,7 @@ use crate::engine::{Beginning, EngineKind, Passes, Slot, Started, lane};
 use crate::testbench::error::UnknownName;
 use crate::testbench::past::{Change, Past};
 use crate::testbench::port::{IntoValue, Port};
+use crate::testbench::resting::Resting;
 use crate::testbench::timeline::Timeline;
 use crate::testbench::trace::{Observer, Poked};
 
@@ -23,6 +24,8 @@ pub(crate) struct Running {
     /// For each clock: when its reset last became active.
     pub reset_since: Vec<u64>,
     pub observers: Vec<Box<dyn Observer + Send>>,
+    /// The observers that need no sample now.
+    pub resting: Resting,
     /// The memory words replaced before the first step, which recordings include.
     pub poked: Poked,
     /// The recorded runs: from the first step on, a recording must explain everything.
@@ -38,7 +41,8 @@ pub(crate) struct Running {
     /// For each run, the value and lane of each name that was looked up: a testbench looks at the same names in every
     /// cycle.
     pub peeked: FxHashMap<u32, FxHashMap<String, (ValueId, u32)>>,
-    /// What is remembered, and the time at which that wants something to be done; the largest one if there is nothing.
+    /// What is remembered, and the time at which that or a resting observer wants something to be done; the largest
+    /// one if there is nothing.
     pub past: Option<Box<Past>>,
     pub pause_at: u64,
     /// By port number.
@@ -93,6 +97,7 @@ impl Running {
             resets: vec![false; program.clocks.len()],
             reset_since: vec![0; program.clocks.len()],
             observers: Vec::new(),
+            resting: Resting::default(),
             poked: Poked::default(),
             recorded: Vec::new(),
             changed: Triggers::NONE,
@@ -112,14 +117,14 @@ impl Running {
     #[track_caller]
     pub fn seed(&mut self, seeds: Vec<u64>) {
         assert!(self.timeline.time() == 0, "a seed can only be given before the first step");
-        assert!(self.observers.is_empty(), "give the seed before attaching a trace");
+        assert!(!self.is_observed(), "give the seed before attaching a trace");
         self.restart(self.engine.again(self.engine.chosen(), Beginning::of(seeds)));
     }
 
     #[track_caller]
     pub fn put_on(&mut self, kind: EngineKind) {
         assert!(self.timeline.time() == 0, "an engine can only be chosen before the first step");
-        assert!(self.observers.is_empty(), "choose the engine before attaching a trace");
+        assert!(!self.is_observed(), "choose the engine before attaching a trace");
         self.restart(self.engine.again(kind, self.engine.beginning.clone()));
     }
 
@@ -219,12 +224,6 @@ impl Running {
         if !self.observers.is_empty() {
             self.changed = self.changed.with(triggers);
         }
-    }
-
-    /// Adds an observer.
-    pub fn observe_by(&mut self, observer: Box<dyn Observer + Send>) {
-        self.changed = Triggers::ALL;
-        self.observers.push(observer);
     }
 
     /// The value converted to the width of an input.

@@ -16,7 +16,7 @@ bundle! {
 /// Lanes that add for some clocks when an input or the slow clock tells them to, and then rest except for a counter.
 /// A fast clock counts by itself; the slow one looks at both.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Clocks;
+pub(super) struct Clocks;
 
 impl Block for Clocks {
     type In = In;

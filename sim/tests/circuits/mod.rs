@@ -33,4 +33,5 @@ mod vcd_rows;
 mod versions;
 mod watching;
 mod wide;
+mod windows;
 mod words;

@@ -18,7 +18,7 @@ codes! {
 /// Values of all kinds in a row: one bit, several bits, several limbs, names of codes, words of a memory; and an
 /// assertion on a count.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Mix;
+pub(super) struct Mix;
 
 impl Block for Mix {
     type In = MixIn;

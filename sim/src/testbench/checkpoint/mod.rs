@@ -306,7 +306,6 @@ impl Running {
     /// A trace has one direction.
     #[track_caller]
     pub fn check_no_trace(&self) {
-        let has_none = self.observers.is_empty();
-        assert!(has_none, "a trace is attached, whose time cannot go back: end it with `finish`");
+        assert!(!self.is_observed(), "a trace is attached, whose time cannot go back: end it with `finish`");
     }
 }

@@ -183,8 +183,8 @@ impl Running {
     pub fn remember_often(&mut self, most: usize, instants: u64) {
         let period = self.program.clocks.first().map_or(DEFAULT_PERIOD.picoseconds(), |clock| clock.period);
         let past = Past::from(self.checkpoint(None), most, instants.saturating_mul(period));
-        self.pause_at = past.pause();
         self.past = Some(Box::new(past));
+        self.pause_at = self.next_pause();
     }
 
     /// Notes a change, if anything is remembered.
@@ -194,7 +194,7 @@ impl Running {
             let now = self.timeline.time();
             if past.changes.len() >= past.full {
                 past.prepare(now);
-                self.pause_at = past.due;
+                self.pause_at = past.due.min(self.resting.until());
             }
             let beside = past.changes.push(now, change());
             past.full = past.full.saturating_sub(beside / Log::ENTRY);
@@ -206,6 +206,11 @@ impl Running {
         self.pause_at != u64::MAX && self.timeline.time() >= self.pause_at
     }
 
+    /// The time at which something is to do.
+    pub fn next_pause(&self) -> u64 {
+        self.past.as_ref().map_or(u64::MAX, |past| past.pause()).min(self.resting.until())
+    }
+
     /// Does what is due before the next instant.
     #[inline]
     pub fn attend(&mut self) {
@@ -214,9 +219,16 @@ impl Running {
         }
     }
 
-    /// Makes the changes of this time in the past, and keeps a checkpoint in the present.
+    /// Wakes observers, and goes on in the past.
     #[cold]
     pub(super) fn catch_up(&mut self) {
+        self.wake();
+        self.change_as_in_past();
+        self.pause_at = self.next_pause();
+    }
+
+    /// Makes the changes of this time in the past, and keeps a checkpoint in the present.
+    fn change_as_in_past(&mut self) {
         let Some(mut past) = self.past.take() else { return };
         let now = self.timeline.time();
         while let Some((change, after)) = past.next.and_then(|next| past.changes.after(next))
@@ -228,7 +240,6 @@ impl Running {
         if now >= past.due {
             past.add(self.checkpoint(Some(&past.last().checkpoint.saved)));
         }
-        self.pause_at = past.pause();
         self.past = Some(past);
     }
 

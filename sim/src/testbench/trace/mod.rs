@@ -65,7 +65,12 @@ pub(crate) trait Observer {
         Ok(Done { edges: 0, changed: Triggers::NONE })
     }
 
-    /// Whether it needs no more samples.
+    /// The earliest time from `now` on whose values it needs, in picoseconds; the largest one if there is none.
+    fn needs(&self, now: u64) -> u64 {
+        now
+    }
+
+    /// Whether it needs no more samples, and no end.
     fn is_over(&self) -> bool {
         false
     }

@@ -214,7 +214,8 @@ impl Trace {
         self
     }
 
-    /// Only the changes in this range of picoseconds; the file begins with the values at its start.
+    /// Only the changes in this range of picoseconds; the file begins with the values at its start. Before and after it
+    /// a run is as fast as without a waveform.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
