@@ -112,7 +112,8 @@ impl Machine {
         self
     }
 
-    /// The same machine with a tracer of a unit, as a [`Step`](crate::Step) of a followed pixel names it.
+    /// The same machine with a tracer of a unit, as a [`Step`](crate::Step) of a followed pixel names it. With a follower
+    /// of the same pixel, a frame that does not end is given up as it was then; the way itself is not found again.
     pub fn traced(self, tracer: &Tracer) -> Machine {
         // The time of a new simulation begins at 0.
         Machine { tracer: Some(tracer.clone()), spare: Spare::default(), ..self }
@@ -231,9 +232,11 @@ impl Machine {
         let mut run = Run::new(&self.config, self.engine, &self.spare, works, self.recorder.is_some(), pixel)?;
         if let Some(tracer) = &self.tracer {
             run.trace(tracer)?;
+            // The way is known, so the observers need not look again.
+            run.found();
         }
         let ended = draw(&mut run, background, watch);
-        if let (Some(follower), Some(pixel)) = (&self.follower, pixel) {
+        if let (Some(follower), Some(pixel), None) = (&self.follower, pixel, &self.tracer) {
             let shown = ended.as_ref().ok().map(|(picture, ..)| picture.words[pixel.number]);
             follower.put(following::way(run.found(), words, light, pixel.sample(works), shown));
         }
