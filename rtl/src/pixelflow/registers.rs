@@ -14,6 +14,9 @@
 //! pixels, for any number of chips. Port and array are independent, with clocks of their own. Instructions give a bank
 //! and await its return, so port and array never access the same bytes.
 //!
+//! No FPGA has a memory that two clocks write and that is read at once. So array and port each write a memory of their
+//! own, and a register is the exclusive or of both words.
+//!
 //! Latency: a read is valid in the same clock, and a write takes effect at the edge.
 
 use super::ARRAY;
@@ -70,18 +73,24 @@ record! {
 impl CommunicationRegisters {
     fn build(&self, m: Module, i: CommunicationRegistersIn) -> CommunicationRegistersOut {
         let (chips, pixels) = (self.height / 2, 2 * self.width);
-        def!(bytes = m.memory(self.bytes, bits(8).of(grid(chips, pixels)), ReadUnderWrite::Any));
-        let bytes = bytes.true_dual_port();
-        let (array, port) = (bytes.on(ARRAY), bytes.on(self.port));
-        array.write(i.writes, i.write, i.result);
+        let bytes = || bits(8).of(grid(chips, pixels));
+        def!(by_array = m.memory(self.bytes, bytes(), ReadUnderWrite::Any).fill(0));
+        def!(by_port = m.memory(self.bytes, bytes(), ReadUnderWrite::Any).fill(0));
+        // Each side accesses only bytes that the other wrote before it gave the bank.
+        let given = |read: Signal| read.quasi_static("port and array never access the same registers at the same time");
+        let at = |memory: Mem, clock: Clock, address: Signal| given(memory.on(clock).read_async(address));
+
+        def!(kept = at(by_port, ARRAY, i.write));
+        by_array.on(ARRAY).write(i.writes, i.write, i.result ^ kept);
+        let word = at(by_array, ARRAY, i.read) ^ at(by_port, ARRAY, i.read);
 
         let PortAccess { pixel, address, writes, bytes } = i.port;
         def!(here = constants(below(pixels).of(row(pixels)), |pixel| pixel).eq(pixel) & writes);
-        port.write(here.to_rows(chips), address, bytes.to_columns(pixels));
-        // Each side reads only bytes that the other wrote before it gave the bank.
-        let given = |read: Signal| read.quasi_static("port and array never access the same registers at the same time");
-        let seen = given(port.read_async(address)).columns().pick(pixel.of(row(chips)));
-        CommunicationRegistersOut { word: given(array.read_async(i.read)), seen }
+        let picked = |memory: Mem| at(memory, self.port, address).columns().pick(pixel.of(row(chips)));
+        def!(array_byte = picked(by_array));
+        def!(port_byte = picked(by_port));
+        by_port.on(self.port).write(here.to_rows(chips), address, (bytes ^ array_byte).to_columns(pixels));
+        CommunicationRegistersOut { word, seen: array_byte ^ port_byte }
     }
 }
 

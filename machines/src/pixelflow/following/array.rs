@@ -31,12 +31,21 @@ struct Registers {
     unit: Unit,
     first: usize,
     bytes: Vec<u8>,
-    memory: Option<Memory>,
+    /// What the array wrote, and what the port wrote.
+    memories: Option<[Memory; 2]>,
     /// The addresses that were written, or could have been.
     written: [usize; 2],
     /// The place of its nets among those of all units, and of those of banks alone.
     nets: usize,
     port: usize,
+}
+
+impl Registers {
+    /// A register of the hardware.
+    fn register(&self, sim: &Sim, address: usize) -> Option<u64> {
+        let words = self.memories?.map(|memory| sim.word(memory, address as u32).to_u64().unwrap_or(0));
+        Some(words[0] ^ words[1])
+    }
 }
 
 /// A node of the pixel.
@@ -116,15 +125,18 @@ impl ArrayObserver {
         let lane = format!("[{}][{}]", self.place.chip, self.place.pixel);
         let memory = sim.memory(&format!("u_pixel{lane}.memory")).expect("a pixel has a memory");
         let mut pixel = Pixel::new();
-        let byte = |memory: Memory, address: usize| sim.word(memory, address as u32).to_u64().unwrap_or(0) as u8;
-        (0..256).for_each(|address| pixel.memory[address] = byte(memory, address));
+        let byte = |address: usize| sim.word(memory, address as u32).to_u64().unwrap_or(0) as u8;
+        (0..256).for_each(|address| pixel.memory[address] = byte(address));
         let [accumulator, carry, flag, enable] = self.looks.from(self.places[3] + 4);
         (pixel.accumulator, pixel.carry, pixel.flag, pixel.enable) =
             (accumulator as u8, carry == 1, flag == 1, enable as u32);
         for bank in &mut self.banks {
-            let registers = sim.memory(&format!("{}bytes{lane}", bank.unit.path)).expect("a bank has registers");
-            (0..bank.bytes.len()).for_each(|address| bank.bytes[address] = byte(registers, address));
-            bank.memory = Some(registers);
+            bank.memories = Some(["by_array", "by_port"].map(|memory| {
+                sim.memory(&format!("{}{memory}{lane}", bank.unit.path)).expect("each side of a bank has a memory")
+            }));
+            for address in 0..bank.bytes.len() {
+                bank.bytes[address] = bank.register(sim, address).unwrap_or(0) as u8;
+            }
         }
         (self.pixel, self.memory) = (Some(pixel), Some(memory));
     }
@@ -218,10 +230,9 @@ impl ArrayObserver {
             let mut checks = Checks::default();
             let [read, write, pixel, address, port_writes, writes, result, word, bytes, seen] =
                 if is_array_edge { self.looks.from(bank.nets) } else { self.ports.from(bank.port) };
-            if let Some(memory) = bank.memory {
-                for written in bank.written {
-                    let kept = sim.word(memory, written as u32).to_u64().unwrap_or(0);
-                    checks.same("bytes", kept, bank.bytes[written].into());
+            for written in bank.written {
+                if let Some(kept) = bank.register(sim, written) {
+                    checks.same("word", kept, bank.bytes[written].into());
                 }
             }
             let here = pixel == u64::from(self.place.pixel);

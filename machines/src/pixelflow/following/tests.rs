@@ -137,7 +137,7 @@ fn a_fault_is_named_at_the_unit_that_has_it() {
     };
     assert_eq!(blamed(32, changes("u_pixel[1][9].memory", 7)), Some("pixelflow-pixel"));
     // A register changes that was just written.
-    assert_eq!(blamed(160, changes("u_bank1.bytes[1][9]", 3)), Some("communication-registers"));
+    assert_eq!(blamed(160, changes("u_bank1.by_array[1][9]", 3)), Some("communication-registers"));
     // That of another pixel is none of this one's.
-    assert_eq!(blamed(160, changes("u_bank1.bytes[1][8]", 3)), None);
+    assert_eq!(blamed(160, changes("u_bank1.by_array[1][8]", 3)), None);
 }

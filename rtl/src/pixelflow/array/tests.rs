@@ -49,12 +49,14 @@ fn held(sim: &mut Array, array: &PixelArray, x: u32, y: u32) -> Pixel {
     let place = format!("[{}][{}]", y / 2, y % 2 * array.width + x);
     let name = |what: &str| format!("u_pixel{place}.{what}");
     let number = |sim: &mut Array, what: &str| sim.peek(&name(what)).unwrap().to_u64().unwrap();
-    let byte = |sim: &Array, memory: &str, at: u64| sim.peek_memory(memory, at as u32).unwrap().to_u64().unwrap();
-    let registers = |instance: &str| format!("{instance}.bytes{place}");
-    let memories = [name("memory"), registers("u_bank0"), registers("u_bank1"), registers("u_texture")];
-    let ranges = [(0..256u64, 0), (256..288, 256), (288..320, 288), (320..384, 320)];
-    for (memory, (range, from)) in memories.iter().zip(ranges) {
-        range.for_each(|at| pixel.memory[at as usize] = byte(sim, memory, at - from) as u8);
+    let byte = |memory: &str, at: u64| sim.peek_memory(memory, at as u32).unwrap().to_u64().unwrap() as u8;
+    let registers = |instance: &str, at: u64| {
+        let [by_array, by_port] = ["by_array", "by_port"].map(|side| byte(&format!("{instance}.{side}{place}"), at));
+        by_array ^ by_port
+    };
+    (0..256).for_each(|at| pixel.memory[at as usize] = byte(&name("memory"), at));
+    for (instance, first, bytes) in [("u_bank0", 256, 32), ("u_bank1", 288, 32), ("u_texture", 320, 64)] {
+        (0..bytes).for_each(|at| pixel.memory[first + at as usize] = registers(instance, at));
     }
     pixel.accumulator = number(sim, "accumulator") as u8;
     pixel.carry = number(sim, "carry") == 1;

@@ -60,7 +60,7 @@ impl ArrayObserver {
                 pairs.push((what, [nets + inside, outside + out]));
             }
             pairs.push(("seen", [outside + 4, nets + 9]));
-            banks.push(Registers { unit, first, bytes: vec![0; bytes], memory: None, written: [0; 2], nets, port });
+            banks.push(Registers { unit, first, bytes: vec![0; bytes], memories: None, written: [0; 2], nets, port });
         }
         let outside =
             looks.add("", ["instructions_valid", "bank_done", "texture_done", "side_by_side", "instructions_ready"]);

@@ -43,11 +43,10 @@ impl ArrayObserver {
     /// Tells the word of the pixel in a bank.
     pub fn word(&mut self, sim: &Sim, tick: u64, bank: usize, bytes: u64, does: &str) {
         let it = &self.banks[bank];
-        let Some(memory) = it.memory else { return };
         let hex = |byte: &dyn Fn(usize) -> u64| {
             (0..bytes as usize).rev().map(|at| format!("{:02x}", byte(at))).collect::<String>()
         };
-        let seen = hex(&|at| sim.word(memory, at as u32).to_u64().unwrap_or(0));
+        let seen = hex(&|at| it.register(sim, at).unwrap_or(0));
         let values = vec![compared("word", seen, hex(&|at| it.bytes[at].into()))];
         let step = it.unit.step_at(&format!("seen[{}]", self.place.chip), tick / 2, None, does, values);
         self.told.tell(Step { time: tick * 5000, ..step });
@@ -136,14 +135,14 @@ impl ArrayObserver {
                 format!("{:x}", (0..i.length).map(|at| byte(first + at) << (8 * at)).sum::<u64>())
             };
             let hardware = |address: u64| match self.banks.iter().rev().find(|bank| address >= bank.first as u64) {
-                Some(bank) => bank.memory.map(|memory| sim.word(memory, address as u32 - bank.first as u32)),
-                None => Some(sim.word(memory, address as u32)),
+                Some(bank) => bank.register(sim, address as usize - bank.first),
+                None => sim.word(memory, address as u32).to_u64(),
             };
             let model = |address: u64| match self.banks.iter().rev().find(|bank| address >= bank.first as u64) {
                 Some(bank) => bank.bytes[address as usize - bank.first].into(),
                 None => pixel.memory[address as usize].into(),
             };
-            let seen = word(&|address| hardware(address).and_then(|byte| byte.to_u64()).unwrap_or(0));
+            let seen = word(&|address| hardware(address).unwrap_or(0));
             values.push(value("address", first));
             values.push(compared("word", seen, word(&model)));
         }
