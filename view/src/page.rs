@@ -60,9 +60,6 @@ const FRAME: &[Asset] = &[
     asset!("way.js", SCRIPT),
     asset!("moment.js", SCRIPT),
     asset!("why.js", SCRIPT),
-    asset!("way.js", SCRIPT),
-    asset!("moment.js", SCRIPT),
-    asset!("why.js", SCRIPT),
     asset!("pixel.js", SCRIPT),
     asset!("frame.js", SCRIPT),
 ];
@@ -78,4 +75,21 @@ pub(crate) fn files(page: Page) -> impl Iterator<Item = Asset> {
 /// The script that says what a page is about, and whether it is a folder without a server.
 pub(crate) fn about(json: &str, is_exported: bool) -> String {
     format!("const ABOUT = {json};\nconst IS_EXPORTED = {is_exported};\nconst EXPORTED = {{}};\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_has_each_of_its_files_once_and_calls_all_of_them() {
+        for page in [Page::Frame, Page::Block] {
+            let names: Vec<&str> = files(page).map(|(name, ..)| name).collect();
+            let (_, _, html) = files(page).find(|(name, ..)| *name == "index.html").expect("a page has one");
+            for name in &names {
+                assert_eq!(names.iter().filter(|other| other == &name).count(), 1, "{name}");
+                assert!(*name == "index.html" || html.contains(&format!("\"{name}\"")), "{name} is not called");
+            }
+        }
+    }
 }

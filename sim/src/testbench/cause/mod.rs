@@ -316,9 +316,23 @@ impl Running {
             }
             Probe::Path(path) => match lookup::signal(&self.program.hierarchy, &path, 0) {
                 Ok(Found { signal, lane }) => Ok((path, Place::Value(signal.value), lane)),
-                Err(unknown) => self.word(&path).map(|(place, lane)| (path, place, lane)).ok_or(unknown),
+                Err(unknown) => match self.word(&path) {
+                    Some((place, lane)) => Ok((path, place, lane)),
+                    None => Err(UnknownName { hint: self.words_of(&path).unwrap_or(unknown.hint), ..unknown }),
+                },
             },
         }
+    }
+
+    /// The words to choose from, if a name means a memory, with or without its lane or some address.
+    fn words_of(&self, path: &str) -> Option<String> {
+        let parts = path.match_indices('[').map(|(at, _)| path[..at].to_owned());
+        let lanes = ["", "[0]", "[0][0]"].map(|lane| format!("{path}{lane}"));
+        lanes.into_iter().chain(parts).find_map(|name| {
+            let (memory, _) = lookup::memory(&self.program.hierarchy, &name, 0).ok()?;
+            let last = self.program.memories[memory as usize].depth - 1;
+            Some(format!("the memory has the words `{name}[0]` to `{name}[{last}]`"))
+        })
     }
 
     /// A word of a memory, by the memory's name and its address.

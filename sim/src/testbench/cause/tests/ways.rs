@@ -1,7 +1,7 @@
 //! Ways back through the clocks of small circuits.
 
 use tilewright_circuit::{Clock, Period, ReadUnderWrite};
-use tilewright_hdl::{Module, bit, bits, block, def, mux};
+use tilewright_hdl::{Module, bit, bits, block, def, mux, row};
 
 use crate::testbench::cause::{Cause, End, Limits};
 use crate::{EngineKind, Error, Simulation, Vcd};
@@ -117,6 +117,39 @@ fn limits_end_the_tree_and_say_so() -> Result<(), Error> {
     let unknown = sim.why("sean").unwrap_err().to_string();
     assert_eq!(unknown, "there is no signal `sean`: did you mean `seen`?");
     Ok(())
+}
+
+block! {
+    /// A memory in two lanes.
+    struct Drawers;
+    in DrawersIn { put: bit(), at: bits(2), what: bits(8).of(row(2)) }
+    out DrawersOut { seen: bits(8).of(row(2)) }
+}
+
+impl Drawers {
+    fn build(&self, m: Module, i: DrawersIn) -> DrawersOut {
+        def!(drawers = m.memory(4, bits(8).of(row(2)), ReadUnderWrite::Old).fill(0));
+        drawers.write(i.put, i.at, i.what);
+        DrawersOut { seen: drawers.read_async(i.at) }
+    }
+}
+
+#[test]
+fn a_memory_has_causes_by_its_words_alone() {
+    let words = |name: &str, first: &str, last: &str| {
+        format!("there is no signal `{name}`: the memory has the words `{first}` to `{last}`")
+    };
+    for name in ["shelf", "shelf[4]", "shelf[x]"] {
+        let unknown = shelf(EngineKind::Interpreter).why(name).unwrap_err().to_string();
+        assert_eq!(unknown, words(name, "shelf[0]", "shelf[3]"));
+    }
+    let mut sim = Simulation::of(&Drawers).unwrap();
+    sim.remember(1 << 20);
+    for (name, lane) in [("drawers", 0), ("drawers[1]", 1), ("drawers[1][4]", 1)] {
+        let [first, last] = [0, 3].map(|address| format!("drawers[{lane}][{address}]"));
+        assert_eq!(sim.why(name).unwrap_err().to_string(), words(name, &first, &last));
+    }
+    assert!(sim.why("drawers[1][3]").is_ok());
 }
 
 const SLOW: Clock = Clock::new("slow", Period::ns(30));
