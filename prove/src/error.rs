@@ -14,6 +14,9 @@ pub enum Error {
     /// A program is not installed.
     #[error(transparent)]
     Missing(#[from] Missing),
+    /// The design of this name has neither an assertion nor a cover.
+    #[error("`{0}` states nothing to prove: add m.assert(..) or m.cover(..)")]
+    Nothing(String),
     /// The design is not one that can be proved.
     #[error("{0}")]
     Refused(String),

@@ -108,8 +108,7 @@ fn check_statements(design: &Design) -> Result<(), Error> {
     if design.modules().iter().any(states) {
         return Ok(());
     }
-    let name = &design.top().name;
-    Err(Error::Refused(format!("`{name}` states nothing to prove: add m.assert(..) or m.cover(..)")))
+    Err(Error::Nothing(design.top().name.clone()))
 }
 
 /// The bits of all memories of all instances.

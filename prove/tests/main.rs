@@ -5,4 +5,3 @@ mod clocks;
 mod counterexamples;
 mod equality;
 mod harness;
-mod proofs;

@@ -166,7 +166,7 @@ impl From<tilewright_prove::Error> for Failure {
         use tilewright_prove::Error::*;
         let exit = match error {
             Missing(_) | Tool { .. } => Exit::NoTool,
-            Refused(_) => Exit::BadInput,
+            Nothing(_) | Refused(_) => Exit::BadInput,
             Interrupted => interrupt::exit(),
             Unshown(_) => Exit::CheckFailed,
         };

@@ -63,8 +63,46 @@ fn the_time_is_over_also_while_yosys_works_and_the_sentence_says_so() {
 
 #[test]
 fn what_cannot_be_proved_is_refused_with_a_remedy() {
-    let run = Folder::new().run("prove counter");
-    assert!(run.code == Some(2) && run.stderr.contains("states nothing to prove: add"), "{run:?}");
+    for (command, sentence) in [
+        ("prove ticks", "`ticks_every3` states nothing to prove: add m.assert(..) or m.cover(..)"),
+        ("prove ticks --harness", "no harness is around ticks: leave out --harness to prove what stands in it"),
+        (
+            "prove counter --set limit=7",
+            "states nothing itself, and harnesses have sizes of their own: leave out --set",
+        ),
+    ] {
+        let run = Folder::new().run(command);
+        assert!(run.code == Some(2) && run.stderr.contains(sentence), "{run:?}");
+    }
+}
+
+#[test]
+fn a_block_that_states_nothing_has_its_harness_proved() {
+    if lacks_tools() {
+        return;
+    }
+    let folder = Folder::new();
+    let text = folder.stdout("prove merging-unit");
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!((lines.len(), lines[0]), (3, "a harness around VC-1: merging unit, 48 bits"), "{text}");
+    let part = "1  assert  proved, k = 4  four clocks later the lesser word comes out";
+    assert!(lines[1].starts_with(part) && lines[1].contains("prove/claims/src/machines.rs:"), "{text}");
+    let report = folder.json("prove encoder --json");
+    let statements = report["statements"].as_array().unwrap();
+    let is_of = |row: &serde_json::Value| row["harness"] == "encoder, decoder, priority encoder, 5 lines";
+    assert!(!statements.is_empty() && statements.iter().all(is_of), "{report}");
+}
+
+#[test]
+fn harnesses_of_a_block_that_states_something_are_proved_on_demand() {
+    if lacks_tools() {
+        return;
+    }
+    let folder = Folder::new();
+    let own = folder.run("prove lfb-swap --depth 3 --seconds 1");
+    assert!(own.stderr.contains("harnesses around lfb-swap claim more: --harness proves that"), "{own:?}");
+    let text = folder.stdout("prove skid-buffer --harness");
+    assert!(text.starts_with("a harness around skid buffer\n1  assert  proved, invariant  "), "{text}");
 }
 
 #[test]

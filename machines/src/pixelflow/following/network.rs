@@ -1,5 +1,6 @@
 //! A direction of the network in each tick, as far as it is about one pixel.
 
+use tilewright_hdl::Codes;
 use tilewright_rtl::pixelflow::TRANSFER;
 use tilewright_rtl::pixelflow::compositor::Mode;
 use tilewright_rtl::pixelflow::network::{NetworkIn, NetworkOut};
@@ -144,26 +145,30 @@ impl NetworkObserver {
         for (number, port) in self.ports.iter().enumerate() {
             let [upstream, own, _] = &port.words;
             let hex = |bytes: &[u8]| bytes.iter().map(|byte| format!("{byte:02x}")).collect::<String>();
-            if upstream.is_empty() && own.is_empty() {
-                continue;
-            }
-            let mode = Mode::Composite as u64;
-            let is_compared = self.looks.at(port.nets) == mode;
-            let does = if is_compared { "passes on the lesser of two words" } else { "passes a word on" };
-            let right = if is_compared {
-                upstream.min(own)
-            } else if upstream.is_empty() {
-                own
-            } else {
-                upstream
+            // A compositor takes only the words that its mode needs.
+            let mode = match (upstream.is_empty(), own.is_empty()) {
+                (true, true) => continue,
+                (true, false) => Mode::Load,
+                (false, false) => Mode::Composite,
+                (false, true) if self.looks.at(port.nets) == Mode::Unload as u64 => Mode::Unload,
+                (false, true) => Mode::Forward,
             };
-            let values = vec![
-                value("upstream", hex(upstream)),
-                value("own", hex(own)),
-                compared("downstream", hex(&port.words[2]), hex(right)),
-            ];
-            let is_last = self.looks.at(port.nets) == Mode::Unload as u64;
-            let values = if is_last { values.into_iter().take(1).collect() } else { values };
+            let mut values = vec![value("mode", mode.name())];
+            let mut of = |what: &'static str, word: &[u8]| {
+                if !word.is_empty() {
+                    values.push(value(what, hex(word)));
+                }
+            };
+            of("upstream", upstream);
+            of("own", own);
+            let (does, right) = match mode {
+                Mode::Composite => ("passes on the lesser of two words", upstream.min(own)),
+                Mode::Load => ("passes a word on", own),
+                Mode::Forward | Mode::Unload => ("passes a word on", upstream),
+            };
+            if mode != Mode::Unload {
+                values.push(compared("downstream", hex(&port.words[2]), hex(right)));
+            }
             let step = port.units[1].step_at("downstream", self.from + tick + number as u64, None, does, values);
             self.told.tell(step);
         }

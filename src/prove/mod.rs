@@ -1,10 +1,13 @@
 //! `tilewright prove`: what a block states is proved, or a run shows that it does not hold.
 
-use crate::block::{BlockArguments, design, ports};
+mod parts;
+
+use crate::block::{BlockArguments, ports};
 use crate::number::number;
 use crate::shell::output::Waveform;
-use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
+use crate::shell::{Exit, Failure, terminal};
 use clap::Args;
+use parts::{Part, statements};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -12,7 +15,7 @@ use std::time::Duration;
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::ir::Directive;
 use tilewright_hdl::{Design, Period};
-use tilewright_prove::{Outcome, Proof, Prover, Run, Stage, Statement};
+use tilewright_prove::{Outcome, Proof, Run, Stage, Statement};
 use tilewright_sim::Simulation;
 
 /// Proves a block's assertions, and searches runs that reach its covers
@@ -22,6 +25,7 @@ Examples:
   tilewright prove fifo
   tilewright prove fifo --set depth=5 --depth 30
   tilewright prove lifo --json
+  tilewright prove merging-unit
   tilewright prove round-robin-arbiter --show 2 --ascii -o run.vcd
 
 Yosys makes formulas of the block's Verilog, and Z3 decides them. An assertion is proved by induction over k clocks, fails in a clock, or holds for as
@@ -33,6 +37,9 @@ or searched with edges at the times of the periods, as in the simulator. All res
 Inputs and the reset have any value that the block's assumptions allow. So has what starts without a value: registers without a reset, and memories
 of unknown contents. A larger --depth searches longer runs, and may prove more.
 
+A harness around a block claims more, such as that a queue keeps the sequence of its words. --harness proves these claims, at a size of their own. So does
+this command without it for a block that states nothing itself.
+
 --ascii and -o show a run: of the statement that --show names by its number, or else of the first assertion that fails. The simulator has replayed it.
 
 Exit code 1 means that an assertion fails, or that a cover of the block is never reached; 5 that a statement is not settled. Covers of the blocks inside
@@ -43,6 +50,9 @@ pub struct Prove {
     /// The number of clocks to search, and to prove over
     #[arg(long, value_name = "CLOCKS", default_value_t = 20, value_parser = number(1_u32..=10_000))]
     depth: u32,
+    /// Prove what harnesses around the block claim, in place of what stands in it
+    #[arg(long, conflicts_with = "settings")]
+    harness: bool,
     /// End the proof after this number of seconds, with what is known then [default: no limit]
     #[arg(long, value_name = "SECONDS", value_parser = number(1_u64..=1_000_000))]
     seconds: Option<u64>,
@@ -64,46 +74,36 @@ impl Prove {
     /// Proves, prints what was found, and shows a run.
     pub fn run(self) -> Result<Exit, Failure> {
         let (entry, values) = self.block.find()?;
-        let design = design(entry, &values)?;
         let waveform = self.output.as_deref().map(Waveform::at).transpose()?;
-        let proof = self.prove(&design)?;
-        let shown = self.shown(&proof)?;
+        let parts = self.parts(entry, &values)?;
+        let shown = self.shown(&parts)?;
         if self.json {
-            terminal::print_json(&report(entry, &values, &design, &proof))?;
+            terminal::print_json(&report(entry, &values, &parts))?;
         } else {
-            terminal::print(&table(&proof, &design))?;
+            terminal::print(&parts::text(&parts))?;
         }
         match shown {
-            Some(run) => self.show_run(&design, run, waveform)?,
+            Some((design, run)) => self.show_run(design, run, waveform)?,
             None if self.ascii || waveform.is_some() => {
                 terminal::warn("no assertion fails, so there is no run to show: name a statement with --show NUMBER");
             }
             None => {}
         }
-        Ok(exit(&proof, &design.top().name))
+        Ok(exit(statements(&parts).map(|(part, it)| (part.design.top().name.as_str(), it))))
     }
 
-    fn prove(&self, design: &Design) -> Result<Proof, Failure> {
-        let prover = Prover::new().depth(self.depth);
-        let prover = self.seconds.map_or(prover, |seconds| prover.seconds(seconds));
-        // The flag is raised instead of the program being ended, so that the solver is ended, too.
-        interrupt::flag();
-        let progress = Progress::new();
-        Ok(prover.prove_watched(design, &|done| progress.show("proving", done), &interrupt::asked)?)
-    }
-
-    /// The run to show.
-    fn shown<'a>(&self, proof: &'a Proof) -> Result<Option<&'a Run>, Failure> {
-        let run = |statement: &'a Statement| match &statement.outcome {
-            Outcome::Fails(run) => Some(run),
+    /// The run to show, and the design that it is of.
+    fn shown<'a>(&self, parts: &'a [Part]) -> Result<Option<(&'a Design, &'a Run)>, Failure> {
+        let run = |(part, statement): (&'a Part, &'a Statement)| match &statement.outcome {
+            Outcome::Fails(run) => Some((&part.design, run)),
             _ => None,
         };
         let Some(number) = self.show else {
-            return Ok(proof.statements.iter().filter(|it| it.directive == Directive::Assert).find_map(run));
+            return Ok(statements(parts).filter(|(_, it)| it.directive == Directive::Assert).find_map(run));
         };
         let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
-        let count = proof.statements.len();
-        match number.checked_sub(1).and_then(|index| proof.statements.get(index)) {
+        let count = statements(parts).count();
+        match number.checked_sub(1).and_then(|index| statements(parts).nth(index)) {
             None => bad(format!("there is no statement {number}: --show takes a number from 1 to {count}")),
             Some(statement) => match run(statement) {
                 None => bad(format!("statement {number} has no run: choose one that fails or is reached")),
@@ -139,9 +139,9 @@ impl Prove {
 
 /// The exit code: a statement that fails counts more than one that is not settled. A cover of an inner block does not
 /// count.
-fn exit(proof: &Proof, top: &str) -> Exit {
-    let counts = |it: &&Statement| !is_inner_cover(it, top);
-    let mut all = proof.statements.iter().filter(counts);
+fn exit<'a>(statements: impl Iterator<Item = (&'a str, &'a Statement)>) -> Exit {
+    let counting: Vec<&Statement> = statements.filter(|(top, it)| !is_inner_cover(it, top)).map(|(_, it)| it).collect();
+    let mut all = counting.into_iter();
     match all.clone().any(Statement::fails) {
         true => Exit::CheckFailed,
         false if all.any(|it| !it.outcome.is_settled()) => Exit::Undecided,
@@ -155,9 +155,9 @@ fn is_inner_cover(statement: &Statement, top: &str) -> bool {
 }
 
 /// A line for each statement, and how many there are of each kind.
-fn table(proof: &Proof, design: &Design) -> String {
+fn table(proof: &Proof, design: &Design, first: usize) -> String {
     let (clocks, top) = (design.top().clocks.len(), &design.top().name);
-    let rows: Vec<[String; 5]> = (1..).zip(&proof.statements).map(|(number, it)| row(number, it, clocks)).collect();
+    let rows: Vec<[String; 5]> = (first..).zip(&proof.statements).map(|(number, it)| row(number, it, clocks)).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let [number, kind, result, message] = [0, 1, 2, 3].map(width);
     let mut text = String::new();
@@ -241,6 +241,8 @@ struct Report<'a> {
 
 #[derive(Serialize)]
 struct Row<'a> {
+    /// The block and the size that a harness is around; none of a statement that stands in the block.
+    harness: Option<&'a str>,
     statement: &'static str,
     message: &'a str,
     module: &'a str,
@@ -272,29 +274,30 @@ struct RunReport<'a> {
     inputs: BTreeMap<&'a str, Vec<String>>,
 }
 
-fn report<'a>(entry: &'a Entry, values: &Values, design: &'a Design, proof: &'a Proof) -> Report<'a> {
+fn report<'a>(entry: &'a Entry, values: &Values, parts: &'a [Part]) -> Report<'a> {
     Report {
         format: 1,
         block: entry.name,
         parameters: values.iter().collect(),
-        ends_after: proof.ends_after,
-        late: proof.late.map(|stage| match stage {
+        ends_after: parts.iter().find_map(|part| part.proof.ends_after),
+        late: parts.iter().find_map(|part| part.proof.late).map(|stage| match stage {
             Stage::Conversion => "conversion",
             Stage::Search => "search",
             Stage::Invariant => "invariant",
         }),
-        statements: proof.statements.iter().map(|it| row_report(design, it)).collect(),
+        statements: statements(parts).map(|(part, it)| row_report(part, it)).collect(),
     }
 }
 
-fn row_report<'a>(design: &'a Design, it: &'a Statement) -> Row<'a> {
+fn row_report<'a>(part: &'a Part, it: &'a Statement) -> Row<'a> {
     let is_cover = it.directive == Directive::Cover;
     let (result, depth, run) = match &it.outcome {
         Outcome::Proved { depth, .. } => (if is_cover { "never" } else { "proved" }, *depth, None),
-        Outcome::Fails(run) => (if is_cover { "reached" } else { "fails" }, None, Some(run_report(design, run))),
+        Outcome::Fails(run) => (if is_cover { "reached" } else { "fails" }, None, Some(run_report(&part.design, run))),
         Outcome::Holds { clocks } => ("open", Some(*clocks), None),
     };
     Row {
+        harness: part.harness,
         statement: if is_cover { "cover" } else { "assert" },
         message: &it.message,
         module: &it.module,
@@ -344,8 +347,9 @@ mod tests {
     fn a_cover_of_an_inner_block_does_not_count() {
         let never = Outcome::Proved { depth: Some(1), needs_periods: false };
         let open = Outcome::Holds { clocks: 20 };
-        assert_eq!(exit(&cover("top", never.clone()), "top"), Exit::CheckFailed);
-        assert_eq!(exit(&cover("top", open.clone()), "top"), Exit::Undecided);
-        assert_eq!([never, open].map(|outcome| exit(&cover("inner", outcome), "top")), [Exit::Done; 2]);
+        let exit = |proof: &Proof| exit(proof.statements.iter().map(|it| ("top", it)));
+        assert_eq!(exit(&cover("top", never.clone())), Exit::CheckFailed);
+        assert_eq!(exit(&cover("top", open.clone())), Exit::Undecided);
+        assert_eq!([never, open].map(|outcome| exit(&cover("inner", outcome))), [Exit::Done; 2]);
     }
 }
