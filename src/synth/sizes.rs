@@ -37,6 +37,7 @@ pub fn sizes(block: &str) -> &'static [Size] {
         ],
         "pixel-planes-5" => &[&[("width", 16), ("height", 8), ("renderers", 2), ("side", 8)]],
         "ring" => &[&[("renderers", 8)]],
+        "pixelflow" => &[&[("line", 4), ("lines", 2)]],
         "region-allocator" => &[&[("renderers", 16)]],
         "image-generation-controller" => &[&[("side", 128)]],
         "array-controller" => &[&[("line", 128), ("lines", 64)]],
