@@ -8,7 +8,7 @@ use crate::gfb::testing::average;
 type Write = (u64, usize, u64);
 
 /// The unit with an accumulation buffer, and a display so fast that no sum ends in the blanking in which it begins.
-fn accumulating(unit: GfbUnit) -> GfbUnit {
+pub fn accumulating(unit: GfbUnit) -> GfbUnit {
     let display = Display { period: Period::ps(2_002), ..unit.display };
     GfbUnit { accumulation: true, display, ..unit }
 }
