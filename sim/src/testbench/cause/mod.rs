@@ -299,9 +299,11 @@ impl Running {
 
     /// Does something that ends at the present time, without traces, which have no time that goes back.
     fn unobserved<T>(&mut self, work: impl FnOnce(&mut Running) -> T) -> T {
-        let observers = std::mem::take(&mut self.observers);
+        let (observers, resting) = (std::mem::take(&mut self.observers), std::mem::take(&mut self.resting));
+        self.pause_at = self.next_pause();
         let done = work(self);
-        self.observers = observers;
+        (self.observers, self.resting) = (observers, resting);
+        self.pause_at = self.next_pause();
         // The engine was elsewhere meanwhile: they look at everything again.
         self.may_have_changed(Triggers::ALL);
         done
