@@ -47,7 +47,7 @@ are shown, and do not count: the block need not use all that they can do. To pro
 pub struct Prove {
     #[command(flatten)]
     block: BlockArguments,
-    /// The number of clocks to search, and to prove over
+    /// The number of clocks to search, and to prove over; a harness has a number of its own
     #[arg(long, value_name = "CLOCKS", default_value_t = 20, value_parser = number(1_u32..=10_000))]
     depth: u32,
     /// Prove what harnesses around the block claim, in place of what stands in it
