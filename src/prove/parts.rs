@@ -39,33 +39,36 @@ impl Prove {
     /// Proves what stands in the block; or what harnesses claim, if that is asked for, or the block states nothing.
     pub fn parts(&self, entry: &'static Entry, values: &Values) -> Result<Vec<Part>, Failure> {
         let claims: Vec<Claim> = tilewright_claims::of(entry.name).collect();
-        let has_usual_size = *values == entry.values([])?;
         if self.harness && claims.is_empty() {
             let sentence =
                 format!("no harness is around {0}: leave out --harness to prove what stands in it", entry.name);
             return Err(Failure::new(Exit::BadInput, sentence));
         }
-        if !self.harness {
-            let design = design(entry, values)?;
-            match self.prove(&design, self.depth, self.seconds.map(Duration::from_secs)) {
-                Err(Error::Nothing(_)) if !claims.is_empty() && has_usual_size => {}
-                Err(Error::Nothing(name)) if !claims.is_empty() => {
-                    let sentence = format!(
-                        "`{name}` states nothing itself, and harnesses have sizes of their own: leave out --set"
-                    );
-                    return Err(Failure::new(Exit::BadInput, sentence));
-                }
-                proof => {
-                    let proof = proof?;
-                    if !claims.is_empty() && !self.json {
-                        terminal::talk(&format!("harnesses around {} claim more: --harness proves that", entry.name));
-                    }
-                    return Ok(vec![Part { harness: None, design, proof }]);
-                }
-            }
+        if !self.harness
+            && let Some(part) = self.own(entry, values, !claims.is_empty())?
+        {
+            return Ok(vec![part]);
         }
         let begin = Instant::now();
         claims.into_iter().map(|claim| self.claimed(&claim, begin)).collect()
+    }
+
+    /// Proves what stands in the block; `None` if that is nothing, but harnesses claim something of this size.
+    fn own(&self, entry: &'static Entry, values: &Values, is_claimed: bool) -> Result<Option<Part>, Failure> {
+        let design = design(entry, values)?;
+        let proof = match self.prove(&design, self.depth, self.seconds.map(Duration::from_secs)) {
+            Err(Error::Nothing(_)) if is_claimed && *values == entry.values([])? => return Ok(None),
+            Err(Error::Nothing(name)) if is_claimed => {
+                let sentence =
+                    format!("`{name}` states nothing itself, and harnesses have sizes of their own: leave out --set");
+                return Err(Failure::new(Exit::BadInput, sentence));
+            }
+            proof => proof?,
+        };
+        if is_claimed && !self.json {
+            terminal::talk(&format!("harnesses around {} claim more: --harness proves that", entry.name));
+        }
+        Ok(Some(Part { harness: None, design, proof }))
     }
 
     /// Proves what a harness claims. Statements of the block in it are left to the block itself.

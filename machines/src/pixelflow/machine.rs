@@ -232,8 +232,8 @@ impl Machine {
         let mut run = Run::new(&self.config, self.engine, &self.spare, works, self.recorder.is_some(), pixel)?;
         if let Some(tracer) = &self.tracer {
             run.trace(tracer)?;
-            // The way is known, so the observers need not look again.
-            run.found();
+            // The way is known, so no observer has to look again.
+            drop(run.found());
         }
         let ended = draw(&mut run, background, watch);
         if let (Some(follower), Some(pixel), None) = (&self.follower, pixel, &self.tracer) {

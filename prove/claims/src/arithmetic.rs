@@ -1,6 +1,6 @@
 //! Arithmetic against plain operators. The mutants expect a result with its lowest bit inverted.
 
-use crate::{Claim, design};
+use crate::{Claim, claim, design};
 use tilewright_blocks::*;
 use tilewright_hdl::*;
 
@@ -222,63 +222,61 @@ impl Encoded {
 
 /// What is proved of arithmetic.
 pub fn claims() -> Vec<Claim> {
-    let claim =
-        |of, block, says, depth, design| Claim { of, block, says, depth, fails_within: depth, by_hand: false, design };
     let crc = "the check of a sum is the sum of the checks";
     vec![
-        claim(&["multiplier"], "multiplier, 4 bits, 2 stages", "the product is `left * right`", 3, |wrong| {
+        claim(&["multiplier"], "multiplier, 4 bits, 2 stages", "the product is `left * right`", [3; 2], |wrong| {
             operated(Operator::Product, wrong)
         }),
-        claim(&["shifter"], "shifter, 8 bits", "a word is shifted as by `<<` and `>>`", 4, |wrong| {
+        claim(&["shifter"], "shifter, 8 bits", "a word is shifted as by `<<` and `>>`", [4; 2], |wrong| {
             operated(Operator::Shift, wrong)
         }),
-        claim(&["rotator"], "rotator, 8 bits", "no bit is lost in a rotation", 3, |wrong| {
+        claim(&["rotator"], "rotator, 8 bits", "no bit is lost in a rotation", [3; 2], |wrong| {
             operated(Operator::Rotation, wrong)
         }),
-        claim(&["count-ones"], "count of ones, 8 bits", "it is the sum of all bits", 3, |wrong| {
+        claim(&["count-ones"], "count of ones, 8 bits", "it is the sum of all bits", [3; 2], |wrong| {
             operated(Operator::Ones, wrong)
         }),
-        claim(&["minimum"], "minimum, 3 words of 4 bits", "no word is less, and it is one of them", 3, |wrong| {
+        claim(&["minimum"], "minimum, 3 words of 4 bits", "no word is less, and it is one of them", [3; 2], |wrong| {
             operated(Operator::Least, wrong)
         }),
         claim(
             &["from-decimal"],
             "from decimal, 2 digits",
             "it is ten times the first digit, and the second",
-            3,
+            [3; 2],
             |wrong| operated(Operator::Decimal, wrong),
         ),
         claim(
             &["pipelined-minimum"],
             "pipelined minimum, 4 words of 4 bits",
             "two clocks later it is the least",
-            4,
+            [4; 2],
             |wrong| design(&Pipelined { wrong }),
         ),
-        claim(&["counter"], "counter to 5", "each number follows the one before", 6, |wrong| {
+        claim(&["counter"], "counter to 5", "each number follows the one before", [6; 2], |wrong| {
             design(&Counted { wrong })
         }),
-        claim(&["divider"], "divider, 3 bits", "quotient * divisor + remainder is the dividend", 5, |wrong| {
+        claim(&["divider"], "divider, 3 bits", "quotient * divisor + remainder is the dividend", [5; 2], |wrong| {
             design(&Divided { wrong })
         }),
         claim(
             &["square-root"],
             "square root, 4 bits",
             "root * root + remainder is the word, and no greater root fits",
-            5,
+            [5; 2],
             |wrong| design(&Rooted { wrong }),
         ),
-        claim(&["crc"], "CRC of 16 bits, most significant first", crc, 3, |wrong| {
+        claim(&["crc"], "CRC of 16 bits, most significant first", crc, [3; 2], |wrong| {
             design(&Linear { order: BitOrder::MostFirst, wrong })
         }),
-        claim(&["crc"], "CRC of 16 bits, least significant first", crc, 3, |wrong| {
+        claim(&["crc"], "CRC of 16 bits, least significant first", crc, [3; 2], |wrong| {
             design(&Linear { order: BitOrder::LeastFirst, wrong })
         }),
         claim(
             &["encoder", "decoder", "priority-encoder"],
             "encoder, decoder, priority encoder, 5 lines",
             "each undoes the other, and the first is the lowest",
-            2,
+            [2; 2],
             |wrong| design(&Encoded { wrong }),
         ),
     ]

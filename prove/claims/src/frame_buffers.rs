@@ -1,6 +1,6 @@
 //! The VC-1's local frame buffers: the patch table, and the swap control, on two clocks.
 
-use crate::{Claim, design};
+use crate::{Claim, claim, design};
 use tilewright_hdl::*;
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::lfb::{PatchTable, PatchTableIn, ScanLookUp, Wanted};
@@ -100,24 +100,19 @@ fn swapped(wrong: bool) -> Design {
 
 /// What is proved of local frame buffers.
 pub fn claims() -> Vec<Claim> {
-    let claim = |of, block, says, fails_within, design| Claim {
-        of,
-        block,
-        says,
-        depth: 2,
-        fails_within,
-        by_hand: false,
-        design,
-    };
     vec![
-        claim(&["patch-table"], "VC-1: patch table, 3 patches, 2 pages", "no two patches share a page", 13, |wrong| {
-            design(&Paged { wrong })
-        }),
+        claim(
+            &["patch-table"],
+            "VC-1: patch table, 3 patches, 2 pages",
+            "no two patches share a page",
+            [2, 13],
+            |wrong| design(&Paged { wrong }),
+        ),
         claim(
             &["vc1-swap", "lfb-swap", "gfb-swap"],
             "VC-1: swap control",
             "no pixel is lost: all are sent before a buffer is swapped",
-            16,
+            [2, 16],
             swapped,
         ),
     ]

@@ -98,6 +98,17 @@ pub fn of(block: &str) -> impl Iterator<Item = Claim> {
     all().into_iter().filter(move |claim| claim.of.contains(&block))
 }
 
+/// A claim that the tests prove: the clocks to search, and those in which the mutant fails.
+fn claim(
+    of: &'static [&'static str],
+    block: &'static str,
+    says: &'static str,
+    [depth, fails_within]: [u32; 2],
+    design: fn(bool) -> Design,
+) -> Claim {
+    Claim { of, block, says, depth, fails_within, by_hand: false, design }
+}
+
 /// The design of a harness.
 fn design<B: Block>(block: &B) -> Design {
     elaborate(block).unwrap_or_else(|problems| panic!("{problems}"))

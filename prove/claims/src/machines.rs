@@ -1,6 +1,6 @@
 //! Blocks of the machines, against what their papers say of them.
 
-use crate::{Claim, design};
+use crate::{Claim, claim, design};
 use tilewright_hdl::*;
 use tilewright_rtl::lfb::{PageIdGenerator, PageIdGeneratorIn, ScanCounter, ScanCounterIn};
 use tilewright_rtl::merger::{MergingUnit, MergingUnitIn};
@@ -142,35 +142,41 @@ impl Linear {
 
 /// What is proved of the machines.
 pub fn claims() -> Vec<Claim> {
-    let claim =
-        |of, block, says, depth, design| Claim { of, block, says, depth, fails_within: depth, by_hand: false, design };
     vec![
-        claim(&["scan-counter"], "VC-1: scan counter, 3 x 2 pixels", "the pixels come in raster order", 4, |wrong| {
-            design(&Scanned { wrong })
-        }),
+        claim(
+            &["scan-counter"],
+            "VC-1: scan counter, 3 x 2 pixels",
+            "the pixels come in raster order",
+            [4; 2],
+            |wrong| design(&Scanned { wrong }),
+        ),
         claim(
             &["linear-tree"],
             "Pixel-planes 5: linear tree, side 4",
             "each pixel has A x + B y + C, for all coefficients of 4 bits",
-            12,
+            [12; 2],
             |wrong| design(&Linear { wrong }),
         ),
         claim(
             &["merging-unit"],
             "VC-1: merging unit, 48 bits",
             "four clocks later the lesser word comes out",
-            6,
+            [6; 2],
             |wrong| design(&Merged { wrong }),
         ),
         claim(
             &["page-id-generator"],
             "VC-1: page ID generator, 6 pages",
             "no page is given twice before a restart",
-            4,
+            [4; 2],
             |wrong| design(&Paged { wrong }),
         ),
-        claim(&["compositor"], "PixelFlow: compositor, 2 pixels of 3 parts", "the lesser word is sent", 5, |wrong| {
-            design(&Composited { wrong })
-        }),
+        claim(
+            &["compositor"],
+            "PixelFlow: compositor, 2 pixels of 3 parts",
+            "the lesser word is sent",
+            [5; 2],
+            |wrong| design(&Composited { wrong }),
+        ),
     ]
 }

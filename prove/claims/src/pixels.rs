@@ -1,6 +1,6 @@
 //! The pixel processors of Pixel-planes 5 and PixelFlow, against plain words.
 
-use crate::{Claim, design};
+use crate::{Claim, claim, design};
 use tilewright_hdl::*;
 use tilewright_rtl::pixel_planes::pixel as serial;
 use tilewright_rtl::pixelflow::pixel::{self as bytes, Control};
@@ -187,38 +187,26 @@ impl Nested {
 
 /// What is proved of pixel processors.
 pub fn claims() -> Vec<Claim> {
-    let claim = |of, block, says, depth, fails_within, design| Claim {
-        of,
-        block,
-        says,
-        depth,
-        fails_within,
-        by_hand: false,
-        design,
-    };
     vec![
         claim(
             &["pixel-processor"],
             "Pixel-planes 5: one-bit processor, 3 bits",
             "a sum is stored bit by bit, and so is the lesser word",
-            3,
-            12,
+            [3, 12],
             |wrong| design(&Serial { wrong }),
         ),
         claim(
             &["pixelflow-pixel"],
             "PixelFlow: 8-bit processor, words of 16 bits",
             "it adds, subtracts, shifts and compares words, and combines and halves bytes",
-            5,
-            3,
+            [5, 3],
             |wrong| design(&Wide { wrong }),
         ),
         claim(
             &["pixelflow-pixel"],
             "PixelFlow: stack of 3 enable flags",
             "a pixel is enabled if and only if the conditions of all open ifs hold",
-            3,
-            5,
+            [3, 5],
             |wrong| design(&Nested { wrong }),
         ),
     ]

@@ -3,7 +3,7 @@
 //! A block that does not look at its words treats all alike. So it suffices to send white words, one red and one blue
 //! behind it (Wolper). What comes out has to be coloured in the same way.
 
-use crate::{Claim, design};
+use crate::{Claim, claim, design};
 use tilewright_blocks::{Arbiter, ArbiterIn, Fifo, Lifo, RegisterSlice, Slice, Storage, StreamBlocks, StreamIn, Turns};
 use tilewright_hdl::*;
 
@@ -137,54 +137,52 @@ impl Arbitrated {
 
 /// What is proved of streams.
 pub fn claims() -> Vec<Claim> {
-    let claim =
-        |of, block, says, depth, design| Claim { of, block, says, depth, fails_within: depth, by_hand: false, design };
     let order = "keeps the sequence, loses nothing, repeats nothing";
     vec![
-        claim(&["fifo"], "queue, 1 word in registers", order, 4, |wrong| {
+        claim(&["fifo"], "queue, 1 word in registers", order, [4; 2], |wrong| {
             coloured(Line::Queue(1, Storage::Registers), wrong)
         }),
-        claim(&["fifo"], "queue, 2 words in registers", order, 4, |wrong| {
+        claim(&["fifo"], "queue, 2 words in registers", order, [4; 2], |wrong| {
             coloured(Line::Queue(2, Storage::Registers), wrong)
         }),
-        claim(&["fifo"], "queue, 3 words in registers", order, 4, |wrong| {
+        claim(&["fifo"], "queue, 3 words in registers", order, [4; 2], |wrong| {
             coloured(Line::Queue(3, Storage::Registers), wrong)
         }),
-        claim(&["fifo"], "queue, 4 words in registers", order, 4, |wrong| {
+        claim(&["fifo"], "queue, 4 words in registers", order, [4; 2], |wrong| {
             coloured(Line::Queue(4, Storage::Registers), wrong)
         }),
-        claim(&["block-ram-fifo"], "queue, 3 words in block RAM", order, 5, |wrong| {
+        claim(&["block-ram-fifo"], "queue, 3 words in block RAM", order, [5; 2], |wrong| {
             coloured(Line::Queue(3, Storage::BlockRam), wrong)
         }),
-        claim(&["forward-slice"], "forward register slice", order, 4, |wrong| {
+        claim(&["forward-slice"], "forward register slice", order, [4; 2], |wrong| {
             coloured(Line::Cut(Slice::Forward), wrong)
         }),
-        claim(&["backward-slice"], "backward register slice", order, 4, |wrong| {
+        claim(&["backward-slice"], "backward register slice", order, [4; 2], |wrong| {
             coloured(Line::Cut(Slice::Backward), wrong)
         }),
-        claim(&["skid-buffer"], "skid buffer", order, 4, |wrong| coloured(Line::Cut(Slice::Both), wrong)),
-        claim(&["narrow", "widen"], "narrowed to halves, and widened again", order, 9, |wrong| {
+        claim(&["skid-buffer"], "skid buffer", order, [4; 2], |wrong| coloured(Line::Cut(Slice::Both), wrong)),
+        claim(&["narrow", "widen"], "narrowed to halves, and widened again", order, [9; 2], |wrong| {
             coloured(Line::Halves, wrong)
         }),
         claim(
             &["lifo"],
             "stack, 3 words",
             "of the words that are not shown, the last one in comes out first",
-            4,
+            [4; 2],
             |wrong| design(&Stacked { wrong }),
         ),
         claim(
             &["round-robin-arbiter"],
             "round-robin arbiter, 3 senders",
             "loses nothing, repeats nothing, and nobody waits for more than two others",
-            4,
+            [4; 2],
             |wrong| design(&Arbitrated { turns: Turns::RoundRobin, wrong }),
         ),
         claim(
             &["priority-arbiter"],
             "priority arbiter, 3 senders",
             "loses nothing, repeats nothing, and serves the first sender first unless a word waits",
-            4,
+            [4; 2],
             |wrong| design(&Arbitrated { turns: Turns::Priority, wrong }),
         ),
     ]

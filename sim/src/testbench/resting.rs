@@ -38,6 +38,9 @@ impl Running {
     /// Lets observers rest until the instant before they need a sample.
     pub fn let_rest(&mut self) {
         let now = self.timeline.time();
+        if self.observers.iter().all(|observer| observer.needs(now) <= now) {
+            return;
+        }
         let periods = self.program.clocks.iter().map(|clock| clock.period);
         let most = periods.min().unwrap_or(DEFAULT_PERIOD.picoseconds());
         // A sample has the values since the last instant, which is at most the shortest period ago.
@@ -45,9 +48,6 @@ impl Running {
             u64::MAX => u64::MAX,
             needed => needed.saturating_sub(most),
         };
-        if self.observers.iter().all(|observer| until(&**observer) <= now) {
-            return;
-        }
         for observer in std::mem::take(&mut self.observers) {
             match until(&*observer) {
                 until if until > now => self.resting.0.push((until, observer)),
