@@ -15,7 +15,7 @@ use std::time::Duration;
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::ir::Directive;
 use tilewright_hdl::{Design, Period};
-use tilewright_prove::{Outcome, Proof, Run, Stage, Statement};
+use tilewright_prove::{Outcome, Run, Stage, Statement};
 use tilewright_sim::Simulation;
 
 /// Proves a block's assertions, and searches runs that reach its covers
@@ -37,8 +37,8 @@ or searched with edges at the times of the periods, as in the simulator. All res
 Inputs and the reset have any value that the block's assumptions allow. So has what starts without a value: registers without a reset, and memories
 of unknown contents. A larger --depth searches longer runs, and may prove more.
 
-A harness around a block claims more, such as that a queue keeps the sequence of its words. --harness proves these claims, at a size of their own. So does
-this command without it for a block that states nothing itself.
+A harness around a block claims more, such as that a queue keeps the sequence of its words. It has a size of its own, and is proved, too, unless a
+parameter is set. --harness proves harnesses alone.
 
 --ascii and -o show a run: of the statement that --show names by its number, or else of the first assertion that fails. The simulator has replayed it.
 
@@ -50,7 +50,7 @@ pub struct Prove {
     /// The number of clocks to search, and to prove over; a harness has a number of its own
     #[arg(long, value_name = "CLOCKS", default_value_t = 20, value_parser = number(1_u32..=10_000))]
     depth: u32,
-    /// Prove what harnesses around the block claim, in place of what stands in it
+    /// Prove only what harnesses around the block claim, not what stands in it
     #[arg(long, conflicts_with = "settings")]
     harness: bool,
     /// End the proof after this number of seconds, with what is known then [default: no limit]
@@ -154,8 +154,8 @@ fn is_inner_cover(statement: &Statement, top: &str) -> bool {
     statement.directive == Directive::Cover && statement.module != top
 }
 
-/// A line for each statement, and how many there are of each kind.
-fn table(proof: &Proof, design: &Design, first: usize) -> String {
+/// A line for each statement, with its number from `first` on, and what was not searched.
+fn table(Part { harness, design, proof }: &Part, first: usize) -> String {
     let (clocks, top) = (design.top().clocks.len(), &design.top().name);
     let rows: Vec<[String; 5]> = (first..).zip(&proof.statements).map(|(number, it)| row(number, it, clocks)).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
@@ -169,7 +169,7 @@ fn table(proof: &Proof, design: &Design, first: usize) -> String {
         text += &format!("the assumptions allow no run of more than {most} {unit}: nothing later is searched\n");
     }
     if let Some(stage) = proof.late {
-        text += &format!("{}\n", late(stage));
+        text += &format!("{}\n", late(stage, harness.is_some()));
     }
     let is_unreached = |it: &Statement| is_inner_cover(it, top) && !matches!(it.outcome, Outcome::Fails(_));
     if proof.statements.iter().any(is_unreached) {
@@ -180,17 +180,15 @@ fn table(proof: &Proof, design: &Design, first: usize) -> String {
     text
 }
 
-/// What the time was too short for, and what to do.
-fn late(stage: Stage) -> &'static str {
-    match stage {
-        Stage::Conversion => {
-            "the time was over while Yosys made formulas of the block: give more --seconds, or --set smaller parameters"
-        }
-        Stage::Search => "the time was over while Z3 searched: give more --seconds, or --set smaller parameters",
-        Stage::Invariant => {
-            "the time was over while ABC searched an invariant: give more --seconds, or a larger --depth"
-        }
-    }
+/// What the time was too short for, and what to do. The size of a harness is its own.
+fn late(stage: Stage, is_harness: bool) -> String {
+    let (work, remedy) = match stage {
+        Stage::Conversion => ("Yosys made formulas of the block", "--set smaller parameters"),
+        Stage::Search => ("Z3 searched", "--set smaller parameters"),
+        Stage::Invariant => ("ABC searched an invariant", "a larger --depth"),
+    };
+    let or = if is_harness { String::new() } else { format!(", or {remedy}") };
+    format!("the time was over while {work}: give more --seconds{or}")
 }
 
 fn row(number: usize, statement: &Statement, clocks: usize) -> [String; 5] {
@@ -335,6 +333,7 @@ fn seconds(time: Duration) -> f64 {
 mod tests {
     use super::*;
     use tilewright_hdl::Loc;
+    use tilewright_prove::Proof;
 
     fn cover(module: &str, outcome: Outcome) -> Proof {
         let (message, module) = ("it happens".to_owned(), module.to_owned());

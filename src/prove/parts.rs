@@ -29,60 +29,63 @@ pub fn text(parts: &[Part]) -> String {
         if let Some(block) = part.harness {
             text += &format!("a harness around {block}\n");
         }
-        text += &table(&part.proof, &part.design, first);
+        text += &table(part, first);
         first += part.proof.statements.len();
     }
     text
 }
 
 impl Prove {
-    /// Proves what stands in the block; or what harnesses claim, if that is asked for, or the block states nothing.
+    /// Proves what stands in the block, and what harnesses around it claim; these alone, if that is asked for.
     pub fn parts(&self, entry: &'static Entry, values: &Values) -> Result<Vec<Part>, Failure> {
-        let claims: Vec<Claim> = tilewright_claims::of(entry.name).collect();
+        let mut claims: Vec<Claim> = tilewright_claims::of(entry.name).collect();
         if self.harness && claims.is_empty() {
             let sentence =
                 format!("no harness is around {0}: leave out --harness to prove what stands in it", entry.name);
             return Err(Failure::new(Exit::BadInput, sentence));
         }
-        if !self.harness
-            && let Some(part) = self.own(entry, values, !claims.is_empty())?
-        {
-            return Ok(vec![part]);
+        // Harnesses have sizes of their own.
+        let is_claimed_elsewhere = !claims.is_empty() && *values != entry.values([])?;
+        if is_claimed_elsewhere {
+            claims.clear();
         }
         let begin = Instant::now();
-        claims.into_iter().map(|claim| self.claimed(&claim, begin)).collect()
-    }
-
-    /// Proves what stands in the block; `None` if that is nothing, but harnesses claim something of this size.
-    fn own(&self, entry: &'static Entry, values: &Values, is_claimed: bool) -> Result<Option<Part>, Failure> {
+        // They are proved in seconds, and what stands in a large block takes all of the time.
+        let mut parts = claims.iter().map(|it| self.claimed(it, begin)).collect::<Result<Vec<Part>, Failure>>()?;
+        if self.harness {
+            return Ok(parts);
+        }
         let design = design(entry, values)?;
-        let proof = match self.prove(&design, self.depth, self.seconds.map(Duration::from_secs)) {
-            Err(Error::Nothing(_)) if is_claimed && *values == entry.values([])? => return Ok(None),
-            Err(Error::Nothing(name)) if is_claimed => {
+        match self.prove(&design, self.depth, begin) {
+            Ok(proof) => parts.insert(0, Part { harness: None, design, proof }),
+            Err(Error::Nothing(_)) if !parts.is_empty() => {}
+            Err(Error::Nothing(name)) if is_claimed_elsewhere => {
                 let sentence =
                     format!("`{name}` states nothing itself, and harnesses have sizes of their own: leave out --set");
                 return Err(Failure::new(Exit::BadInput, sentence));
             }
-            proof => proof?,
-        };
-        if is_claimed && !self.json {
-            terminal::talk(&format!("harnesses around {} claim more: --harness proves that", entry.name));
+            Err(error) => return Err(error.into()),
         }
-        Ok(Some(Part { harness: None, design, proof }))
+        if is_claimed_elsewhere && !self.json {
+            let name = entry.name;
+            terminal::talk(&format!("harnesses around {name} claim more, at sizes of their own: without --set"));
+        }
+        Ok(parts)
     }
 
     /// Proves what a harness claims. Statements of the block in it are left to the block itself.
     fn claimed(&self, claim: &Claim, begin: Instant) -> Result<Part, Failure> {
         let design = (claim.design)(false);
-        let left = |seconds| Duration::from_secs(seconds).saturating_sub(begin.elapsed()).max(Duration::from_secs(1));
-        let mut proof = self.prove(&design, claim.depth, self.seconds.map(left))?;
+        let mut proof = self.prove(&design, claim.depth, begin)?;
         proof.statements.retain(|it| it.module == design.top().name);
         Ok(Part { harness: Some(claim.block), design, proof })
     }
 
-    fn prove(&self, design: &Design, depth: u32, time: Option<Duration>) -> Result<Proof, Error> {
+    /// Proves a design in what is left of the time.
+    fn prove(&self, design: &Design, depth: u32, begin: Instant) -> Result<Proof, Error> {
         let prover = Prover::new().depth(depth);
-        let prover = time.map_or(prover, |time| prover.seconds(time.as_secs().max(1)));
+        let left = |seconds| Duration::from_secs(seconds).saturating_sub(begin.elapsed());
+        let prover = self.seconds.map_or(prover, |all| prover.seconds(left(all).as_secs_f64().ceil() as u64));
         // The flag is raised instead of the program being ended, so that the solver is ended, too.
         interrupt::flag();
         let progress = Progress::new();

@@ -36,8 +36,8 @@ fn a_run_is_shown_as_text_and_as_a_waveform() {
     let text = folder.stdout("prove fifo --show 3 --ascii -o run.vcd");
     assert!(text.contains("into_valid") && text.contains("clk"), "{text}");
     assert!(folder.read("run.vcd").contains("$enddefinitions"));
-    let wrong = folder.run("prove fifo --show 9");
-    assert_eq!((wrong.code, wrong.stderr.contains("from 1 to 4")), (Some(2), true), "{wrong:?}");
+    let wrong = folder.run("prove fifo --show 17");
+    assert_eq!((wrong.code, wrong.stderr.contains("from 1 to 16")), (Some(2), true), "{wrong:?}");
 }
 
 #[test]
@@ -94,15 +94,21 @@ fn a_block_that_states_nothing_has_its_harness_proved() {
 }
 
 #[test]
-fn harnesses_of_a_block_that_states_something_are_proved_on_demand() {
+fn harnesses_are_proved_beside_what_stands_in_a_block_or_alone() {
     if lacks_tools() {
         return;
     }
     let folder = Folder::new();
-    let own = folder.run("prove lfb-swap --depth 3 --seconds 1");
-    assert!(own.stderr.contains("harnesses around lfb-swap claim more: --harness proves that"), "{own:?}");
+    let both = folder.stdout("prove lifo");
+    let lines: Vec<&str> = both.lines().collect();
+    assert!(lines[0].starts_with("1  assert  proved, k = 1  a word that is shown is not withdrawn"), "{both}");
+    assert_eq!((lines.len(), lines[1]), (3, "a harness around stack, 3 words"), "{both}");
+    assert!(lines[2].starts_with("2  assert  proved, invariant  "), "{both}");
     let text = folder.stdout("prove skid-buffer --harness");
     assert!(text.starts_with("a harness around skid buffer\n1  assert  proved, invariant  "), "{text}");
+    let set = folder.run("prove lifo --set depth=5");
+    let said = "harnesses around lifo claim more, at sizes of their own: without --set";
+    assert!(set.stderr.contains(said) && set.stdout.lines().count() == 1, "{set:?}");
 }
 
 #[test]
