@@ -6,10 +6,10 @@ use std::cell::OnceCell;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-use crate::engine::compiled::{Compiled, Slot};
 use crate::engine::cranelift::{SharedCode, unsupported};
 use crate::engine::lockstep::Lockstep;
 use crate::engine::program::{Program, Triggers, ValueId};
+use crate::engine::running::{Compiled, Slot};
 use crate::engine::{Beginning, Engine};
 use crate::engine::{interpreter, reference};
 use tiers::Early;

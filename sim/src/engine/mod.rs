@@ -1,17 +1,21 @@
 //! The interface of all engines, and the engines.
 
 mod choice;
-mod compiled;
 mod cranelift;
+mod emit;
 pub(crate) mod explain;
 mod fields;
+mod function;
 mod interpreter;
+mod layout;
 mod lockstep;
 mod pack;
 mod passes;
+mod plan;
 pub mod program;
 mod reference;
 mod rewrite;
+mod running;
 mod saved;
 pub(crate) mod semantics;
 mod start;
@@ -25,13 +29,13 @@ use tilewright_circuit::Bits;
 
 pub use choice::EngineKind;
 pub(crate) use choice::Started;
-#[doc(hidden)]
-pub use compiled::examined;
-pub(crate) use compiled::{Limb, Limbs, Slot};
 pub use cranelift::Unsupported;
 pub use explain::{Explained, Pass, explain};
 pub use passes::Passes;
 use program::{Memory, Program, Triggers, ValueId};
+#[doc(hidden)]
+pub use running::examined;
+pub(crate) use running::{Limb, Limbs, Slot};
 pub(crate) use saved::{Saved, fingerprint, for_each_width, state_limbs};
 pub(crate) use start::{Beginning, Given};
 #[doc(hidden)]

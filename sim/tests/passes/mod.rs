@@ -1,6 +1,7 @@
 //! The effect of each pass on a small circuit, as text: a pass that loses its effect fails here.
 
 mod fields;
+mod folders;
 mod front;
 mod functions;
 mod late;

@@ -7,7 +7,6 @@ mod target;
 mod translate;
 
 pub(super) use jit::{Code, Jit, unsupported};
-pub(super) use pages::Guarded;
 pub(crate) use shared::SharedCode;
 pub use target::Unsupported;
 #[cfg(test)]

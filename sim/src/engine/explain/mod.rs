@@ -1,5 +1,6 @@
 //! The effect of each pass on a circuit, in words, for users and for tests.
 
+mod functions;
 mod operation;
 mod pass;
 mod text;
@@ -7,7 +8,7 @@ mod text;
 use tilewright_circuit::ir::Design;
 
 use super::program::{Program, compile, flat, tidy};
-use super::{Passes, compiled, fields, pack};
+use super::{Passes, fields, pack};
 pub(crate) use operation::operation;
 pub use pass::Pass;
 pub(super) use text::{Names, Text};
@@ -68,7 +69,7 @@ pub fn explain(design: &Design, passes: &Passes) -> Vec<Explained> {
     let split = program.clone();
     let program = pack::pack(program).program;
     changed(Pass::Pack, split, &program);
-    for (pass, text) in compiled::explain(&program) {
+    for (pass, text) in functions::explain(&program) {
         add(pass, text);
     }
     all

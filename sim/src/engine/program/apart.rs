@@ -2,7 +2,7 @@
 //!
 //! Instances of an array run in lanes, all of them at every edge. An instance whose values have many lanes of its
 //! own, and that makes many scalar decisions, gains nothing by that; and idle ones cost as much as busy ones. So each
-//! runs by itself, as a *unit*, and the compiled engine skips units that have nothing to do (`compiled/units`).
+//! runs by itself, as a *unit*, and the compiled engine skips units that have nothing to do (`running/units`).
 
 use std::collections::BTreeSet;
 
