@@ -1,7 +1,8 @@
-//! The Verilog of every block, one file of `golden` for each module, to be read like hand-written Verilog: each entry
-//! at its default parameters, with the blocks in it. Modules of `tilewright-blocks` are compared in that crate.
+//! The Verilog of every block, to be read like hand-written Verilog: each entry at its default parameters, with the
+//! blocks in it. Of modules that differ in numbers alone, `golden` has the first. Modules of `tilewright-blocks` are
+//! compared in that crate.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -17,16 +18,27 @@ mod formal;
 #[test]
 fn every_block_is_printed_as_in_its_golden_file() {
     let mut left: BTreeSet<PathBuf> = files_of("tests/golden").into_iter().collect();
+    let mut compared = BTreeMap::new();
     for entry in ENTRIES {
         let design = entry.design(&entry.values([]).unwrap()).unwrap();
         let files = verilog(&design);
         for module in design.modules().iter().filter(|module| module.loc.file().starts_with("rtl/")) {
+            if compared.entry(without_numbers(&module.name)).or_insert_with(|| module.name.clone()) != &module.name {
+                continue;
+            }
             let name = format!("{}.v", module.name);
             left.remove(&Path::new("tests/golden").join(&name));
             compare::compare(files.iter().find(|file| file.name == name).expect("each module has a file"));
         }
     }
     assert!(left.is_empty(), "golden files of no module: {left:?}");
+}
+
+/// The name of a module without its numbers, and without the code that stands for long parameters.
+fn without_numbers(name: &str) -> String {
+    let is_code = |part: &str| part.len() == 8 && part.chars().all(|it| it.is_ascii_hexdigit());
+    let parts = name.split('_').filter(|part| !is_code(part));
+    parts.map(|part| part.trim_end_matches(|it: char| it.is_ascii_digit())).collect::<Vec<_>>().join("_")
 }
 
 #[test]
