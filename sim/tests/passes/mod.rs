@@ -5,6 +5,7 @@ mod folders;
 mod front;
 mod functions;
 mod late;
+mod loops;
 mod pack;
 mod quiet;
 mod strips;

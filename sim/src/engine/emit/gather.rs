@@ -25,7 +25,8 @@ impl Emitter<'_, '_> {
     }
 
     /// Loads the strip of a row that has several strips.
-    pub(in crate::engine::emit) fn tile_whole(&mut self, strip: &mut Strip, id: ValueId, of: ValueId) {
+    pub(super) fn tile_whole(&mut self, strip: &mut Strip, id: ValueId) {
+        let of = self.source(id);
         let Cell { lanes, width, .. } = *self.function.cell(of);
         let row: Vec<Value> = (0..lanes)
             .map(|lane| {

@@ -1,9 +1,4 @@
-//! Loops over lanes, one strip at a time.
-//!
-//! The lanes of a kernel may form *rows*, the groups of an array of arrays. Then one loop goes over the rows, and one
-//! within it over the strips of a row, so that values common to a row are loaded once.
-
-use std::collections::{BTreeMap, BTreeSet};
+//! Loops over lanes, as a [`Nest`] has them.
 
 use tilewright_circuit::ir::Reduction;
 
@@ -13,15 +8,9 @@ use super::strip_values::Strip;
 use super::{Count, Emitter};
 use crate::engine::function::Sink;
 use crate::engine::plan::Kernel;
-use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
+use crate::engine::plan::nest::{Nest, Work};
+use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::Value;
-
-/// The sequence within a strip: cells, and after each the sinks that may run then.
-struct Order {
-    /// Before any cell.
-    first: Vec<usize>,
-    after: BTreeMap<usize, Vec<usize>>,
-}
 
 /// A reduction and its result so far, in the form of [`Lanes::carried`](super::lanes::Lanes::carried).
 struct Sum {
@@ -64,21 +53,21 @@ impl Emitter<'_, '_> {
         if kernel.cells.is_empty() && kernel.sinks.is_empty() {
             return;
         }
+        let nest = Nest::of((self.function, self.plan), self.memories, self.strips, lanes, kernel);
         let (outer, scratch) = (self.scalars.clone(), self.builder.taken());
-        let row = self.row_length(lanes, kernel);
-        let mut strip = Strip::new(self.strips.strip(lanes), lanes, row, kernel.descends);
-        self.splat_uniforms(&mut strip, kernel);
-        self.tile_short_rows(&mut strip, kernel);
-        self.begin_memories(&mut strip, kernel);
-        let sums = match strip.rows() {
-            1 => self.row(&mut strip, kernel, None, &mut Vec::new()),
+        let mut strip = Strip::new(&nest);
+        nest.uniforms.iter().for_each(|&id| self.splat_uniform(&mut strip, id));
+        nest.tiles.iter().for_each(|&id| self.tile_whole(&mut strip, id));
+        nest.words.iter().for_each(|&(memory, address)| self.begin_words(&mut strip, memory, address));
+        let sums = match nest.rows() {
+            1 => self.row(&mut strip, &nest, None, &mut Vec::new()),
             rows => {
-                let mut totals = self.sums(kernel, lanes);
-                let count = Count { limit: i64::from(rows), step: 1, descends: kernel.descends };
+                let mut totals = self.sums(&nest.totals);
+                let count = Count { limit: i64::from(rows), step: 1, descends: nest.descends };
                 self.carry(count, &mut strip, &mut totals, |emitter, strip, totals, row| {
                     let mark = strip.lanes.mark();
-                    emitter.splat_row(strip, kernel, row);
-                    for (id, sum) in emitter.row(strip, kernel, Some(row), totals) {
+                    nest.of_row.iter().for_each(|&id| emitter.splat_of_row(strip, id, row));
+                    for (id, sum) in emitter.row(strip, &nest, Some(row), totals) {
                         let at = emitter.address(emitter.addresses.of(id), row);
                         emitter.sum(id, sum, at);
                     }
@@ -101,126 +90,44 @@ impl Emitter<'_, '_> {
         self.store_single(id, place, at, place.offset);
     }
 
-    /// The group size that most of a kernel works with, if it consists of whole strips; all lanes otherwise.
-    fn row_length(&self, lanes: u32, kernel: &Kernel) -> u32 {
-        let strip = self.strips.strip(lanes);
-        let mut uses: BTreeMap<u32, usize> = BTreeMap::new();
-        let mut count = |id: ValueId| {
-            let cell = self.function.cell(id);
-            // Operands may have other lanes than the kernel: those of lane selections, and of other kernels'
-            // reductions.
-            let (of_lanes, group) = match cell.kind {
-                Kind::Broadcast { axis, .. } if axis.inner > 1 => (cell.lanes, axis.inner),
-                Kind::Broadcast { of, axis } if self.function.cell(of).lanes > 1 => (cell.lanes, axis.count),
-                Kind::Reduce { of, axis, .. } if cell.lanes > 1 => (self.function.cell(of).lanes, axis.count),
-                _ => return,
-            };
-            if of_lanes != lanes {
-                return;
-            }
-            if group % strip == 0 && group < lanes {
-                *uses.entry(group).or_default() += 1;
-            }
-        };
-        self.taken(kernel).into_iter().for_each(&mut count);
-        uses.into_iter().max_by_key(|&(group, count)| (count, group)).map_or(lanes, |(group, _)| group)
-    }
-
-    /// The inputs of a kernel.
-    fn taken(&self, kernel: &Kernel) -> BTreeSet<ValueId> {
-        let mut taken = BTreeSet::new();
-        let mut visit = |id: ValueId| {
-            taken.insert(id);
-        };
-        for &id in &kernel.cells {
-            visit(id);
-            self.function.cell(id).kind.for_each_operand(&mut visit);
-        }
-        kernel.sinks.iter().for_each(|&sink| self.function.sinks[sink].for_each_operand(&mut visit));
-        taken
-    }
-
-    /// Makes available the scalars that a kernel uses in all lanes.
-    fn splat_uniforms(&mut self, strip: &mut Strip, kernel: &Kernel) {
-        for id in self.taken(kernel) {
-            let cell = self.function.cell(id);
-            if let Kind::Broadcast { of, .. } = cell.kind
-                && self.function.cell(of).lanes == 1
-            {
-                self.want(of);
-                if cell.width <= 64 {
-                    let limbs = self.scalars.clean(self.builder, of);
-                    strip.lanes.splat(self.builder, id, cell.width, limbs[0]);
-                }
-            }
-        }
-    }
-
-    /// Makes rows available that are shorter than a strip.
-    fn tile_short_rows(&mut self, strip: &mut Strip, kernel: &Kernel) {
-        for id in self.taken(kernel) {
-            let cell = self.function.cell(id);
-            if let Kind::Broadcast { of, axis } = cell.kind
-                && axis.inner > 1
-                && axis.inner < strip.size
-                && strip.size.is_multiple_of(axis.inner)
-                && (cell.lanes, self.function.cell(of).lanes) == (strip.total, axis.inner)
-                && cell.width <= 64
-                && self.is_current(kernel, id)
-            {
-                self.tile_whole(strip, id, of);
-            }
-        }
-    }
-
-    /// Whether a stored derived value is up to date: another loop may have stored it before its source changed.
-    fn is_current(&self, kernel: &Kernel, id: ValueId) -> bool {
-        kernel.cells.contains(&id) || !self.addresses.has(id)
-    }
-
-    /// Finds the words of memories that have one address in all lanes.
-    fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
-        for &id in &kernel.cells {
-            let Kind::Lowered(lowered) = &self.function.cell(id).kind else { continue };
-            if let Lowered::Word { memory, address } | Lowered::WordOf { memory, address, .. } = *lowered {
-                self.begin_words(strip, memory, address);
-            }
-        }
-        for &sink in &kernel.sinks {
-            if let Sink::Write { memory, address, .. } = self.function.sinks[sink] {
-                self.begin_words(strip, memory, address);
-            }
+    /// Makes a scalar available that a kernel takes in all lanes.
+    fn splat_uniform(&mut self, strip: &mut Strip, id: ValueId) {
+        let of = self.source(id);
+        self.want(of);
+        let width = self.function.cell(id).width;
+        if width <= 64 {
+            let limbs = self.scalars.clean(self.builder, of);
+            strip.lanes.splat(self.builder, id, width, limbs[0]);
         }
     }
 
     /// Makes available what is the same in a row.
-    fn splat_row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Value) {
-        for id in self.taken(kernel) {
-            let cell = self.function.cell(id);
-            if let Kind::Broadcast { of, axis: Axis { count, inner: 1 } } = cell.kind
-                && count == strip.row
-                && cell.lanes == strip.total
-                && cell.width <= 64
-                && self.is_current(kernel, id)
-                && self.function.cell(of).lanes > 1
-            {
-                let loaded = self.id();
-                self.load_lane(loaded, of, row);
-                let limbs = self.scalars.clean(self.builder, loaded);
-                strip.lanes.splat(self.builder, id, cell.width, limbs[0]);
-            }
-        }
+    fn splat_of_row(&mut self, strip: &mut Strip, id: ValueId, row: Value) {
+        let (of, loaded) = (self.source(id), self.id());
+        self.load_lane(loaded, of, row);
+        let limbs = self.scalars.clean(self.builder, loaded);
+        strip.lanes.splat(self.builder, id, self.function.cell(id).width, limbs[0]);
     }
 
-    /// Reductions of this number of lanes each, with nothing combined yet.
-    fn sums(&self, kernel: &Kernel, lanes: u32) -> Vec<Sum> {
-        let sum = |&id: &ValueId| match self.function.cell(id) {
-            &Cell { kind: Kind::Reduce { by, of, axis }, width: ..=64, .. } if axis.count == lanes => {
-                Some(Sum { id, by, of, so_far: None })
-            }
-            _ => None,
+    /// What is the same in several lanes.
+    pub(super) fn source(&self, id: ValueId) -> ValueId {
+        let Kind::Broadcast { of, .. } = self.function.cell(id).kind else { unreachable!("it is the same in lanes") };
+        of
+    }
+
+    /// Reductions with nothing combined yet.
+    fn sums(&self, ids: &[ValueId]) -> Vec<Sum> {
+        let sum = |&id: &ValueId| {
+            let (by, of) = self.reduction(id);
+            Sum { id, by, of, so_far: None }
         };
-        kernel.cells.iter().filter_map(sum).collect()
+        ids.iter().map(sum).collect()
+    }
+
+    /// The operation and the operand of a reduction.
+    fn reduction(&self, id: ValueId) -> (Reduction, ValueId) {
+        let Kind::Reduce { by, of, .. } = self.function.cell(id).kind else { unreachable!("a reduction") };
+        (by, of)
     }
 
     /// A loop that carries the results so far.
@@ -258,29 +165,21 @@ impl Emitter<'_, '_> {
         sums.collect()
     }
 
-    /// Whether a reduction's result is carried around the loop over a row, or over all rows.
-    fn is_loop_carried(&self, strip: &Strip, id: ValueId) -> bool {
-        let cell = self.function.cell(id);
-        let is_whole = |count| count == strip.row || count == strip.total;
-        matches!(cell.kind, Kind::Reduce { axis, .. } if is_whole(axis.count) && cell.width <= 64)
-    }
-
     /// Runs the strips of a row, which also combines into `totals`; returns the reductions over the row, clean.
     fn row(
         &mut self,
         strip: &mut Strip,
-        kernel: &Kernel,
+        nest: &Nest,
         row: Option<Value>,
         totals: &mut Vec<Sum>,
     ) -> Vec<(ValueId, Value)> {
-        let order = self.order(kernel);
-        let mut sums = self.sums(kernel, strip.row);
+        let mut sums = self.sums(&nest.sums);
         let of_row = sums.len();
         sums.append(totals);
         let mark = strip.lanes.mark();
-        let start = row.map(|row| self.scaled(row, strip.row as usize));
+        let start = row.map(|row| self.scaled(row, nest.row as usize));
         let body = |emitter: &mut Self, strip: &mut Strip, sums: &mut Vec<Sum>, within: Value| {
-            emitter.strip(strip, kernel, &order, start, within);
+            emitter.strip(strip, nest, start, within);
             for sum in sums {
                 emitter.vector(strip, sum.of);
                 let vector = strip.lanes.carried(emitter.builder, sum.of);
@@ -290,8 +189,8 @@ impl Emitter<'_, '_> {
                 });
             }
         };
-        let count = Count { limit: strip.row.into(), step: strip.size.into(), descends: kernel.descends };
-        if strip.row <= strip.size {
+        let count = Count { limit: nest.row.into(), step: nest.strip.into(), descends: nest.descends };
+        if nest.row <= nest.strip {
             let zero = count.start(self.builder);
             body(self, strip, &mut sums, zero);
         } else {
@@ -302,61 +201,23 @@ impl Emitter<'_, '_> {
         self.reduced(strip, sums)
     }
 
-    /// Cells and sinks of a strip.
-    fn strip(&mut self, strip: &mut Strip, kernel: &Kernel, order: &Order, start: Option<Value>, within: Value) {
+    /// The work of a strip.
+    fn strip(&mut self, strip: &mut Strip, nest: &Nest, start: Option<Value>, within: Value) {
         self.enter(strip, start, within);
-        let mut open: BTreeSet<usize> = kernel.sinks.iter().copied().collect();
-        order.first.iter().for_each(|&sink| self.register(strip, sink, &mut open));
-        for (index, &id) in kernel.cells.iter().enumerate() {
-            match self.function.cell(id).kind {
-                // Taken at the end, but before registers change.
-                Kind::Reduce { of, .. } if self.is_loop_carried(strip, id) => self.vector(strip, of),
-                _ => self.lane_cell(strip, id),
-            }
-            for &sink in order.after.get(&index).into_iter().flatten() {
-                self.register(strip, sink, &mut open);
-            }
-        }
-        for &index in &kernel.sinks {
-            if matches!(self.function.sinks[index], Sink::Write { .. }) {
-                self.write_lanes(strip, index);
+        for &work in &nest.work {
+            match work {
+                Work::Cell(id) => self.lane_cell(strip, id),
+                Work::Combine(id) => self.vector(strip, self.reduction(id).1),
+                Work::Register { sink, keeps } => self.register(strip, sink, keeps),
+                Work::Write(sink) => self.write_lanes(strip, sink),
             }
         }
     }
 
-    /// Registers change as early as possible, so that few values are live at a time: after their inputs are computed,
-    /// when no cell reads their old values. Memories are written at the end.
-    fn order(&self, kernel: &Kernel) -> Order {
-        let mut last = BTreeMap::new();
-        for (index, &id) in kernel.cells.iter().enumerate() {
-            last.insert(id, index);
-            self.function.cell(id).kind.for_each_operand(|operand| {
-                last.insert(operand, index);
-            });
-        }
-        let mut order = Order { first: Vec::new(), after: BTreeMap::new() };
-        for &index in &kernel.sinks {
-            let sink = &self.function.sinks[index];
-            let &Sink::Register { state, .. } = sink else { continue };
-            let mut position = last.get(&state).copied();
-            sink.for_each_operand(|operand| position = position.max(last.get(&operand).copied()));
-            match position {
-                Some(position) => order.after.entry(position).or_default().push(index),
-                None => order.first.push(index),
-            }
-        }
-        order
-    }
-
-    /// A register takes its next value; old values that other sinks need later are loaded before.
-    fn register(&mut self, strip: &mut Strip, index: usize, open: &mut BTreeSet<usize>) {
-        open.remove(&index);
+    /// A register takes its next value. If it keeps the old one, that is loaded before.
+    fn register(&mut self, strip: &mut Strip, index: usize, keeps: bool) {
         let &Sink::Register { state, next, enable } = &self.function.sinks[index] else { unreachable!("a register") };
-        let mut seen = false;
-        for &other in open.iter() {
-            self.function.sinks[other].for_each_operand(|operand| seen |= operand == state);
-        }
-        if seen {
+        if keeps {
             self.available(strip, state);
         }
         let cell = self.function.cell(state);

@@ -63,9 +63,6 @@ impl Emitter<'_, '_> {
     /// The address of the words at the address common to all lanes, and that address; to be called before the loop.
     pub(super) fn begin_words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) {
         let at = self.memories[memory as usize];
-        if !at.words.together() || strip.words.contains_key(&(memory, address)) {
-            return;
-        }
         let common = match self.function.cell(address).kind {
             Kind::Broadcast { of, .. } if self.function.cell(of).lanes == 1 => of,
             _ => address,

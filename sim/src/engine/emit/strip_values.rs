@@ -9,6 +9,7 @@ use super::lanes::{Lanes, Span, operator};
 use super::scalar::{Scalar, Scalars};
 use super::{Emitter, offset};
 use crate::engine::layout::Place;
+use crate::engine::plan::nest::Nest;
 use crate::engine::program::{Kind, Lowered, ValueId};
 use crate::engine::strips::{Comparison, Type, Value};
 
@@ -39,17 +40,13 @@ pub(super) struct Strip {
 }
 
 impl Strip {
-    /// Strips of `size` lanes.
-    pub fn new(size: u32, total: u32, row: u32, descends: bool) -> Strip {
+    /// The strips of these loops.
+    pub fn new(nest: &Nest) -> Strip {
+        let &Nest { strip: size, lanes: total, row, descends, .. } = nest;
         let singles = Vec::new();
         let (addresses, memories, words) = (HashMap::new(), HashMap::new(), HashMap::new());
         let lanes = Lanes::new(size);
         Strip { size, total, row, descends, lanes, singles, first: None, within: None, addresses, memories, words }
-    }
-
-    /// The number of rows.
-    pub fn rows(&self) -> u32 {
-        self.total / self.row
     }
 
     /// Defines a value in one lane.

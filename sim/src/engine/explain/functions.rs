@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use tilewright_circuit::Bits;
 
+use super::loops::Loops;
+use super::{Names, Pass, Text};
 use crate::engine::emit::{Addresses, Emitter};
-use crate::engine::explain::{Names, Pass, Text};
 use crate::engine::function::split::{From, Part, Split, Units, split};
 use crate::engine::function::{Function, Held, Maker, Sink};
 use crate::engine::layout::Layout;
@@ -22,7 +23,8 @@ use crate::engine::strips::{self, Builder, Notes};
 
 /// The result of each pass for an edge of each clock.
 pub(super) fn explain(program: &Program) -> Vec<(Pass, String)> {
-    let passes = [Pass::Edge, Pass::Hold, Pass::Lower, Pass::Plan, Pass::Branch, Pass::Sequence, Pass::Strips];
+    let passes =
+        [Pass::Edge, Pass::Hold, Pass::Lower, Pass::Plan, Pass::Branch, Pass::Sequence, Pass::Loops, Pass::Strips];
     let mut all: Vec<(Pass, String)> = passes.map(|pass| (pass, String::new())).to_vec();
     for (clock, declared) in program.clocks.iter().enumerate() {
         for (pass, text) in edge(program, clock) {
@@ -57,6 +59,8 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
         Seen::Branched(function, plan) => all.push((Pass::Branch, planned(program, function, plan, &lowered))),
         Seen::Sequenced(function, plan, pieces) => {
             all.push((Pass::Sequence, sequenced(program, function, plan, pieces, &lowered)));
+            let loops = Loops { function, plan, memories: &memories, strips: &strips };
+            all.push((Pass::Loops, loops.text(Text::with(program, function.circuit(), lowered.clone()), pieces)));
             let addresses = Addresses::new(function, plan, places.iter().filter_map(|place| *place), &mut layout);
             let of = Emitted { program, function, plan, addresses: &addresses, memories: &memories, strips: &strips };
             all.push((Pass::Strips, of.pieces(pieces, &lowered)));
@@ -94,7 +98,7 @@ fn text(program: &Program, function: &Function, names: &Names) -> String {
 }
 
 /// A sink in words.
-fn line(text: &Text, function: &Function, sink: usize) -> String {
+pub(super) fn line(text: &Text, function: &Function, sink: usize) -> String {
     match function.sinks[sink] {
         Sink::Register { state, next, enable } => text.change(&text.name(state), &text.name(next), enable),
         Sink::Write { memory, enable, address, data } => {
@@ -119,9 +123,13 @@ fn planned(program: &Program, function: &Function, plan: &Plan, names: &Names) -
             }
         }
         for (lanes, kernel) in stage.loops() {
-            let order = if kernel.descends { ", the last first" } else { "" };
-            let _ = write!(out, "  loop over {lanes} lanes{order}: ");
-            kernel_text(&mut out, &mut text, (function, plan), kernel, 2);
+            let _ = write!(out, "  loop over {lanes} lanes{}: ", order(kernel));
+            let leaf = &mut |text: &mut Text, kernel: &Kernel| {
+                let values = text.values(kernel.cells.iter().copied());
+                let sinks = kernel.sinks.iter().map(|&sink| line(text, function, sink));
+                values.lines().map(str::to_owned).chain(sinks).collect()
+            };
+            kernels(&mut out, &mut text, plan, kernel, 2, leaf);
         }
     }
     if !plan.live_out.is_empty() {
@@ -133,13 +141,23 @@ fn planned(program: &Program, function: &Function, plan: &Plan, names: &Names) -
     out
 }
 
-fn list<'a>(text: &Text, ids: impl IntoIterator<Item = &'a ValueId>) -> String {
+pub(super) fn order(kernel: &Kernel) -> &'static str {
+    if kernel.descends { ", the last first" } else { "" }
+}
+
+pub(super) fn list<'a>(text: &Text, ids: impl IntoIterator<Item = &'a ValueId>) -> String {
     ids.into_iter().map(|id| text.name(*id)).collect::<Vec<_>>().join(" ")
 }
 
-/// The values and sinks of a loop; its variants, if it has any.
-fn kernel_text(out: &mut String, text: &mut Text, of: (&Function, &Plan), kernel: &Kernel, depth: usize) {
-    let (function, plan) = of;
+/// A loop, or those that run instead of it: the lines of each by `leaf`.
+pub(super) fn kernels(
+    out: &mut String,
+    text: &mut Text,
+    plan: &Plan,
+    kernel: &Kernel,
+    depth: usize,
+    leaf: &mut dyn FnMut(&mut Text, &Kernel) -> Vec<String>,
+) {
     let indent = "  ".repeat(depth);
     if let Some(index) = kernel.versioned {
         let _ = write!(out, "in versions by {}; else ", list(text, &plan.versioned[index].subjects));
@@ -148,7 +166,7 @@ fn kernel_text(out: &mut String, text: &mut Text, of: (&Function, &Plan), kernel
         let _ = writeln!(out, "in {} loops", kernel.parts.len());
         for part in &kernel.parts {
             let _ = write!(out, "{indent}a loop: ");
-            kernel_text(out, text, of, part, depth + 1);
+            kernels(out, text, plan, part, depth + 1, leaf);
         }
         return;
     }
@@ -158,14 +176,13 @@ fn kernel_text(out: &mut String, text: &mut Text, of: (&Function, &Plan), kernel
             let numbers = (0..).zip(&switch.table).filter(|(_, kernel)| **kernel == index);
             let numbers: Vec<String> = numbers.map(|(number, _): (usize, _)| number.to_string()).collect();
             let _ = write!(out, "{indent}{}: ", numbers.join(", "));
-            kernel_text(out, text, of, variant, depth + 1);
+            kernels(out, text, plan, variant, depth + 1, leaf);
         }
         return;
     }
-    let values = text.values(kernel.cells.iter().copied());
-    let sinks = kernel.sinks.iter().map(|&sink| line(text, function, sink));
-    let lines: Vec<String> = values.lines().map(str::to_owned).chain(sinks).collect();
-    let _ = writeln!(out, "{}", if lines.is_empty() { "nothing" } else { "" });
+    let does_nothing = kernel.cells.is_empty() && kernel.sinks.is_empty();
+    let lines = if does_nothing { Vec::new() } else { leaf(text, kernel) };
+    let _ = writeln!(out, "{}", if does_nothing { "nothing" } else { "" });
     for line in lines {
         let _ = writeln!(out, "{indent}{}", line.trim());
     }

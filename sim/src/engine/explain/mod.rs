@@ -1,6 +1,7 @@
 //! The effect of each pass on a circuit, in words, for users and for tests.
 
 mod functions;
+mod loops;
 mod operation;
 mod pass;
 mod text;

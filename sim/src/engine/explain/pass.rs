@@ -37,7 +37,9 @@ pub enum Pass {
     Branch,
     /// Puts everything in sequence, cut into functions where it is long.
     Sequence,
-    /// Writes the instructions: loops over strips of lanes, loads, vectors, stores.
+    /// Makes loops over rows and strips of lanes.
+    Loops,
+    /// Writes the instructions: loads, vectors, branches, stores.
     Strips,
 }
 
@@ -50,7 +52,7 @@ impl Pass {
     /// let by_name = |name: &str| Pass::ALL.into_iter().find(|pass| pass.name() == name);
     /// assert_eq!(by_name("fold"), Some(Pass::Fold));
     /// ```
-    pub const ALL: [Pass; 15] = [
+    pub const ALL: [Pass; 16] = [
         Pass::Flatten,
         Pass::Siblings,
         Pass::Share,
@@ -65,6 +67,7 @@ impl Pass {
         Pass::Plan,
         Pass::Branch,
         Pass::Sequence,
+        Pass::Loops,
         Pass::Strips,
     ];
 
@@ -91,6 +94,7 @@ impl Pass {
             Pass::Plan => "plan",
             Pass::Branch => "branch",
             Pass::Sequence => "sequence",
+            Pass::Loops => "loops",
             Pass::Strips => "strips",
         }
     }
@@ -118,6 +122,9 @@ impl Pass {
             Pass::Plan => "Values of one lane stay in machine registers; loops go over lanes.",
             Pass::Branch => "A loop in which all lanes choose by one small value gets a variant for each number.",
             Pass::Sequence => "Everything is put in sequence, cut into functions where it is long.",
+            Pass::Loops => {
+                "Each loop goes over rows and strips of lanes; what is the same in all of them stands before it."
+            }
             Pass::Strips => "Each function is a program of loops over strips of lanes, loads, vectors and stores.",
         }
     }

@@ -7,6 +7,7 @@
 
 pub(super) mod branch;
 mod hazards;
+pub(super) mod nest;
 pub(super) mod planned;
 pub(super) mod quiet;
 pub(super) mod sequence;

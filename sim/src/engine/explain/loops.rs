@@ -1,0 +1,78 @@
+//! The loops of a function in words: what stands before each, and the sequence within a strip.
+
+use std::fmt::Write;
+
+use super::Text;
+use super::functions::{self, kernels, line, list};
+use crate::engine::function::{Function, Sink};
+use crate::engine::layout::memory_at::MemoryAt;
+use crate::engine::layout::strip_sizes::StripSizes;
+use crate::engine::plan::nest::{Nest, Work};
+use crate::engine::plan::sequence::Step;
+use crate::engine::plan::{Kernel, Plan};
+use crate::engine::program::{Kind, ValueId};
+
+/// A function, and what its loops depend on besides.
+pub(super) struct Loops<'a> {
+    pub function: &'a Function,
+    pub plan: &'a Plan,
+    pub memories: &'a [MemoryAt],
+    pub strips: &'a StripSizes,
+}
+
+impl Loops<'_> {
+    /// The loops in sequence.
+    pub fn text(&self, mut text: Text, pieces: &[Vec<Step>]) -> String {
+        let _ = text.values(self.function.needed().into_iter());
+        let mut out = String::new();
+        for &step in pieces.iter().flatten() {
+            let Step::Kernel(stage, lanes) = step else { continue };
+            let kernel = &self.plan.stages[stage].kernels[&lanes];
+            let _ = write!(out, "loop over {lanes} lanes{}: ", functions::order(kernel));
+            let leaf = &mut |text: &mut Text, kernel: &Kernel| self.nest(text, lanes, kernel);
+            kernels(&mut out, &mut text, self.plan, kernel, 1, leaf);
+        }
+        out
+    }
+
+    /// A loop without branches.
+    fn nest(&self, text: &mut Text, lanes: u32, kernel: &Kernel) -> Vec<String> {
+        let nest = Nest::of((self.function, self.plan), self.memories, self.strips, lanes, kernel);
+        let source = |id: &ValueId| match self.function.cell(*id).kind {
+            Kind::Broadcast { of, .. } => of,
+            _ => *id,
+        };
+        let sources = |text: &Text, ids: &[ValueId]| list(text, ids.iter().map(source).collect::<Vec<_>>().iter());
+        let words: Vec<String> = nest
+            .words
+            .iter()
+            .map(|&(memory, at)| format!("{}[{}]", text.memory(memory), text.name(source(&at))))
+            .collect();
+        let parts = [
+            ("before all", sources(text, &nest.uniforms)),
+            ("before all, repeated in a strip", sources(text, &nest.tiles)),
+            ("found before all", words.join(" ")),
+            ("before each row", sources(text, &nest.of_row)),
+            ("carried along a row", list(text, &nest.sums)),
+            ("carried along all rows", list(text, &nest.totals)),
+        ];
+        let rows = if nest.rows() > 1 { format!("rows of {}, ", nest.row) } else { String::new() };
+        let mut lines = vec![format!("{rows}strips of {}", nest.strip)];
+        lines.extend(
+            parts.into_iter().filter(|(_, names)| !names.is_empty()).map(|(what, names)| format!("{what}: {names}")),
+        );
+        let values = text.values(kernel.cells.iter().copied());
+        let mut values = values.lines().map(|line| line.trim().to_owned());
+        lines.extend(nest.work.iter().map(|work| match *work {
+            Work::Cell(id) if self.function.circuit().constant(id).is_some() => text.name(id),
+            Work::Cell(_) | Work::Combine(_) => values.next().expect("each cell has a line"),
+            Work::Register { sink, keeps } => {
+                let Sink::Register { state, .. } = self.function.sinks[sink] else { unreachable!("a register") };
+                let kept = if keeps { format!("load {}, then ", text.name(state)) } else { String::new() };
+                kept + line(text, self.function, sink).trim()
+            }
+            Work::Write(sink) => line(text, self.function, sink).trim().to_owned(),
+        }));
+        lines
+    }
+}

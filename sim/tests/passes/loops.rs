@@ -1,0 +1,132 @@
+//! The loops of small circuits: what stands before them, what they carry, and where registers change.
+
+use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, row};
+use tilewright_sim::Pass;
+
+use crate::passes::{after, is};
+
+block! {
+    /// Two rows of registers, of which the second one follows the first.
+    struct Following;
+    in FollowingIn { x: bits(8), enable: bit() }
+    out FollowingOut { all: bits(8) }
+}
+
+impl Following {
+    fn build(&self, m: Module, i: FollowingIn) -> FollowingOut {
+        let first = m.reg("first", bits(8).of(row(16))).reset(0);
+        let second = m.reg("second", bits(8).of(row(16))).reset(0);
+        first.when(i.enable, *first + i.x);
+        second.next(*first);
+        FollowingOut { all: second.xor_all() }
+    }
+}
+
+#[test]
+fn a_register_changes_at_once_and_its_old_value_is_loaded_before_if_it_is_needed() {
+    is(
+        &after(&Following, Pass::Loops),
+        r"
+        an edge of clk:
+        loop over 16 lanes:
+          strips of 16
+          before all: x enable
+          %1 : 16 x 8 = first + %0
+          %3 : 16 x 8 = %2 ? %1 : first
+          load first, then first <- %3
+          second <- first
+        ",
+    );
+}
+
+block! {
+    /// A row that shares a number.
+    struct Line;
+    in LineIn { add: bits(8) }
+    out LineOut { sum: bits(8) }
+}
+
+impl Line {
+    fn build(&self, m: Module, i: LineIn) -> LineOut {
+        let q = m.reg("q", bits(8).of(row(32))).reset(0);
+        q.next(*q + i.add);
+        LineOut { sum: q.xor_all() }
+    }
+}
+
+block! {
+    /// Four such rows: each adds the sum of the one before.
+    struct Lines;
+    in LinesIn { x: bits(8) }
+    out LinesOut { all: bits(8) }
+}
+
+impl Lines {
+    fn build(&self, m: Module, i: LinesIn) -> LinesOut {
+        let lines = m.array("u_line", 4, &Line, |a| {
+            let sums = m.pipe("sums", a.sum);
+            LineIn { add: sums.previous(i.x) }
+        });
+        LinesOut { all: lines.sum.xor_all() }
+    }
+}
+
+#[test]
+fn what_a_row_shares_stands_before_its_strips() {
+    is(
+        &after(&Lines, Pass::Loops),
+        r"
+        an edge of clk:
+        loop over 4 lanes:
+          strips of 4
+          before all: x
+          %1         : 4 x 8 = lane i - 1 of sums
+          u_line.add : 4 x 8 = %2 ? %1 : %0
+        loop over 128 lanes:
+          rows of 32, strips of 16
+          before each row: u_line.add
+          carried along a row: u_line.sum
+          u_line.sum : 4 x 8   = xor of 32 lanes of u_line.q
+          %3         : 128 x 8 = 32 times u_line.add
+          %4         : 128 x 8 = u_line.q + %3
+          u_line.q <- %4
+        loop over 4 lanes:
+          strips of 4
+          sums <- u_line.sum
+        ",
+    );
+}
+
+block! {
+    /// 64 memories with one address.
+    struct Memories;
+    in MemoriesIn { at: bits(4), write: bit() }
+    out MemoriesOut { all: bits(8) }
+}
+
+impl Memories {
+    fn build(&self, m: Module, i: MemoriesIn) -> MemoriesOut {
+        let words = m.memory("words", 16, bits(8).of(row(64)), ReadUnderWrite::Old);
+        let word = words.read(i.at);
+        words.write(i.write, i.at, word + 1);
+        MemoriesOut { all: word.xor_all() }
+    }
+}
+
+#[test]
+fn words_at_one_address_are_found_before_the_loop() {
+    is(
+        &after(&Memories, Pass::Loops),
+        r"
+        an edge of clk:
+        loop over 64 lanes:
+          strips of 16
+          before all: at write
+          found before all: words[at]
+          %1 : 64 x 8 = words[%0] as stored
+          %3 : 64 x 8 = words_read + 1
+          words_read <- %1
+          words[%0] <- %3 if %2
+        ",
+    );
+}
