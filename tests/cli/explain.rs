@@ -22,7 +22,7 @@ fn every_pass_of_every_block_is_explained_the_same_each_time() {
         let arguments = format!("explain {} --json", block["name"].as_str().unwrap());
         let report = folder.json(&arguments);
         let passes = report["passes"].as_array().unwrap();
-        assert_eq!(passes.len(), 15, "{arguments}");
+        assert_eq!(passes.len(), 16, "{arguments}");
         for pass in passes {
             assert!(!pass["text"].as_str().unwrap().is_empty(), "{arguments}: {pass}");
         }
