@@ -80,6 +80,7 @@ fn what_a_row_shares_stands_before_its_strips() {
         loop over 4 lanes:
           strips of 4
           before all: x
+          taken by one load: %1
           %1         : 4 x 8 = lane i - 1 of sums
           u_line.add : 4 x 8 = %2 ? %1 : %0
         loop over 128 lanes:
@@ -127,6 +128,51 @@ fn words_at_one_address_are_found_before_the_loop() {
           %3 : 64 x 8 = words_read + 1
           words_read <- %1
           words[%0] <- %3 if %2
+        ",
+    );
+}
+
+block! {
+    /// Three rows that take lanes of another one: the next one's, and each lane twice or five times.
+    struct Takers;
+    in TakersIn { x: bits(8) }
+    out TakersOut { all: bits(8) }
+}
+
+impl Takers {
+    fn build(&self, m: Module, i: TakersIn) -> TakersOut {
+        let words = m.reg("words", bits(8).of(row(16))).reset(0);
+        words.next(*words + i.x);
+        let next = m.pipe("next", words.following(0));
+        let pairs = m.pipe("pairs", words.take(16, |lane| lane / 2));
+        let fifths = m.pipe("fifths", words.take(20, |lane| lane / 5));
+        TakersOut { all: (next ^ pairs).xor_all() ^ fifths.xor_all() }
+    }
+}
+
+#[test]
+fn lanes_of_others_are_taken_together_where_that_is_possible() {
+    is(
+        &after(&Takers, Pass::Loops),
+        r"
+        an edge of clk:
+        loop over 20 lanes:
+          strips of 16
+          taken lane by lane: %8
+          %8 : 20 x 8 = lane %7 of words
+          fifths <- %8
+        loop over 16 lanes:
+          strips of 16
+          before all: x
+          taken by one load: %2
+          taken by some loads: %6
+          %1 : 16 x 8 = words + %0
+          %2 : 16 x 8 = lane i + 1 of words
+          %4 : 16 x 8 = %3 ? %2 : 0
+          next <- %4
+          %6 : 16 x 8 = lane %5 of words
+          words <- %1
+          pairs <- %6
         ",
     );
 }

@@ -46,7 +46,7 @@ impl Addresses {
     }
 
     /// Whether it is stored.
-    pub(super) fn has(&self, id: ValueId) -> bool {
+    pub(crate) fn has(&self, id: ValueId) -> bool {
         self.places.get(id.index()).is_some_and(Option::is_some)
     }
 

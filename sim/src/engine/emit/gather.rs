@@ -1,14 +1,113 @@
 //! Lanes that a strip takes from other lanes.
 
+use super::lanes::Span;
 use super::strip_values::Strip;
-use crate::engine::emit::{Emitter, offset};
+use super::{Emitter, offset};
+use crate::engine::layout::Place;
+use crate::engine::plan::access::{Access, Number};
 use crate::engine::program::{Cell, Kind, ValueId};
 use crate::engine::strips::{Type, Value};
 
 impl Emitter<'_, '_> {
+    /// How a cell's lanes are taken from others, if they are.
+    pub(super) fn access(&self, strip: &Strip, id: ValueId) -> Option<Access> {
+        Access::of(self.function, self.strips, strip.division, &|id| self.addresses.has(id), id)
+    }
+
+    /// Takes the lanes of a cell from others.
+    pub(super) fn take(&mut self, strip: &mut Strip, id: ValueId, access: Access) {
+        match access {
+            Access::Uniform => self.singles(strip, id),
+            Access::Constant(of) => {
+                let Kind::Const(bits) = &self.function.cell(of).kind else { unreachable!("a constant") };
+                strip.lanes.constant(id, bits);
+            }
+            Access::OfRow(of) => {
+                let place = self.addresses.of(of);
+                let address = self.address(place, strip.within.expect("it has begun"));
+                // Its own strips have other sizes.
+                let aligned = (strip.size * place.element).is_multiple_of(128);
+                self.load_span(strip, id, address, place, 0, aligned);
+            }
+            Access::Near(of, by) => {
+                let place = self.addresses.of(of);
+                let address = self.strip_address(strip, place);
+                self.load_span(strip, id, address, place, by, false);
+            }
+            Access::Groups(of, times) => self.repeat_lanes(strip, id, of, times),
+            Access::Regular { of, lanes, step } => self.gather_regular(strip, id, of, &lanes, step),
+            Access::Each(of, number) => self.each(strip, id, of, number),
+        }
+    }
+
+    /// Loads adjacent lanes, `by` lanes before those at an address.
+    fn load_span(&mut self, strip: &mut Strip, id: ValueId, address: Value, place: Place, by: i32, aligned: bool) {
+        let offset = offset(place.offset) - by * place.bytes() as i32;
+        let side = Span { storage: place.element, address, offset, aligned };
+        strip.lanes.load(self.builder, id, self.function.cell(id).width, side);
+    }
+
+    /// Loads a lane for each lane of the strip.
+    fn each(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, number: Number) {
+        let total = strip.division.lanes;
+        match number {
+            Number::Group(group) => self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, total, group).0),
+            Number::Within(group) => self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, total, group).1),
+            Number::Member { group, index } => self.collect(strip, id, of, |emitter, lane| {
+                let start = emitter.scaled(lane, group as usize);
+                emitter.builder.add_constant(start, i64::from(index))
+            }),
+            Number::Before(by) => self.collect(strip, id, of, |emitter, lane| {
+                let from = emitter.builder.add_constant(lane, -i64::from(by));
+                // A lane before the first one becomes a number far beyond the last. In its place the lane itself is
+                // loaded, or the last one: these have not changed yet.
+                let last = i64::from(total) - 1;
+                let limit = if by > 0 { lane } else { emitter.builder.constant(Type::I64, last) };
+                emitter.builder.min(from, limit)
+            }),
+            Number::Given(at) => {
+                let numbers: Vec<Value> = (0..strip.size).map(|lane| self.lane_number(strip, at, lane, of)).collect();
+                let mut numbers = numbers.into_iter();
+                self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
+            }
+        }
+    }
+
+    /// Loads one lane of `of` by number for each lane of the strip.
+    fn collect(
+        &mut self,
+        strip: &mut Strip,
+        id: ValueId,
+        of: ValueId,
+        mut from: impl FnMut(&mut Self, Value) -> Value,
+    ) {
+        let width = self.function.cell(id).width;
+        for lane in 0..strip.size {
+            let at = self.existing(strip, lane);
+            let from = from(self, at);
+            let mut single = std::mem::take(&mut self.scalars);
+            self.load_lane(id, of, from);
+            std::mem::swap(&mut single, &mut self.scalars);
+            strip.singles[lane as usize].define(id, single.get(id).expect("it was loaded").clone());
+        }
+        if width <= 64 {
+            self.vector(strip, id);
+        }
+    }
+
+    /// The number of a lane of the strip, or of the last existing lane.
+    pub(super) fn existing(&mut self, strip: &Strip, lane: u32) -> Value {
+        let at = self.builder.add_constant(strip.first.expect("it has begun"), i64::from(lane));
+        if !strip.division.is_padded() {
+            return at;
+        }
+        let last = self.builder.constant(Type::I64, i64::from(strip.division.lanes - 1));
+        self.builder.min(at, last)
+    }
+
     /// Loads the lanes that are each repeated in the strip.
     pub(super) fn repeat_lanes(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, times: u32) {
-        let (first, _) = self.divided(strip.first.expect("it has begun"), strip.total, times);
+        let (first, _) = self.divided(strip.first.expect("it has begun"), strip.division.lanes, times);
         let mut single = std::mem::take(&mut self.scalars);
         for group in 0..strip.size / times {
             // Padding lanes may load what follows the last lane.
@@ -39,18 +138,6 @@ impl Emitter<'_, '_> {
         strip.lanes.gather(self.builder, id, width, &all);
     }
 
-    /// Loads, for each lane of the strip, the lane of `of` with the number in `at`.
-    pub(super) fn gather(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, at: ValueId) {
-        if self.addresses.has(of)
-            && let Some((lanes, step)) = self.regular(strip, at)
-        {
-            return self.gather_regular(strip, id, of, &lanes, step);
-        }
-        let numbers: Vec<Value> = (0..strip.size).map(|lane| self.lane_number(strip, at, lane, of)).collect();
-        let mut numbers = numbers.into_iter();
-        self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
-    }
-
     /// The number in a lane of `at`, of a lane of `of`.
     fn lane_number(&mut self, strip: &mut Strip, at: ValueId, lane: u32, of: ValueId) -> Value {
         if self.function.is_table(at) && !strip.lanes.has(at) {
@@ -62,21 +149,9 @@ impl Emitter<'_, '_> {
         self.of_lanes(number, self.function.cell(at).width, self.function.cell(of).lanes)
     }
 
-    /// The numbers of a table for the first strip, and the step from each strip to the next, if it is constant.
-    fn regular(&self, strip: &Strip, at: ValueId) -> Option<(Vec<u32>, u32)> {
-        let Kind::Stack { parts, inner: 1 } = &self.function.cell(at).kind else { return None };
-        let number = |part: &ValueId| Some(self.function.circuit().constant(*part)?.limbs()[0] as u32);
-        let all = parts.iter().map(number).collect::<Option<Vec<u32>>>()?;
-        let (first, rest) = all.split_at_checked(strip.size as usize)?;
-        let step = rest.first().map_or(Some(0), |next| next.checked_sub(first[0]))?;
-        let is_regular = all.iter().zip(rest).all(|(before, after)| before + step == *after);
-        let is_whole = parts.len() == strip.total as usize && !strip.is_padded();
-        (is_regular && is_whole).then(|| (first.to_vec(), step))
-    }
-
     /// Loads these lanes for the first strip, and lanes `step` further on for each following one.
     fn gather_regular(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, lanes: &[u32], step: u32) {
-        let (number, _) = self.divided(strip.first.expect("it has begun"), strip.total, strip.size);
+        let (number, _) = self.divided(strip.first.expect("it has begun"), strip.division.lanes, strip.size);
         let (place, before) = (self.addresses.of(of), self.scaled(number, step as usize));
         let address = self.address(place, before);
         let of_vectors = lanes.chunks(128 / place.integer() as usize);

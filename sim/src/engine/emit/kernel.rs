@@ -8,7 +8,7 @@ use super::strip_values::Strip;
 use super::{Count, Emitter};
 use crate::engine::function::Sink;
 use crate::engine::plan::Kernel;
-use crate::engine::plan::nest::{Nest, Work};
+use crate::engine::plan::nest::{Division, Nest, Work};
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::Value;
 
@@ -59,7 +59,7 @@ impl Emitter<'_, '_> {
         nest.uniforms.iter().for_each(|&id| self.splat_uniform(&mut strip, id));
         nest.tiles.iter().for_each(|&id| self.tile_whole(&mut strip, id));
         nest.words.iter().for_each(|&(memory, address)| self.begin_words(&mut strip, memory, address));
-        let sums = match nest.rows() {
+        let sums = match nest.division.rows() {
             1 => self.row(&mut strip, &nest, None, &mut Vec::new()),
             rows => {
                 let mut totals = self.sums(&nest.totals);
@@ -177,7 +177,7 @@ impl Emitter<'_, '_> {
         let of_row = sums.len();
         sums.append(totals);
         let mark = strip.lanes.mark();
-        let start = row.map(|row| self.scaled(row, nest.row as usize));
+        let start = row.map(|row| self.scaled(row, nest.division.row as usize));
         let body = |emitter: &mut Self, strip: &mut Strip, sums: &mut Vec<Sum>, within: Value| {
             emitter.strip(strip, nest, start, within);
             for sum in sums {
@@ -189,8 +189,9 @@ impl Emitter<'_, '_> {
                 });
             }
         };
-        let count = Count { limit: nest.row.into(), step: nest.strip.into(), descends: nest.descends };
-        if nest.row <= nest.strip {
+        let Division { row: length, strip: size, .. } = nest.division;
+        let count = Count { limit: length.into(), step: size.into(), descends: nest.descends };
+        if length <= size {
             let zero = count.start(self.builder);
             body(self, strip, &mut sums, zero);
         } else {

@@ -133,7 +133,7 @@ impl Emitter<'_, '_> {
     /// The first byte of a lane's words, and an offset.
     fn lane_base(&mut self, strip: &mut Strip, memory: MemoryAt, lane: u32) -> (Value, i32) {
         let apart = lane as usize * memory.words.lane;
-        if strip.is_padded() || i32::try_from(apart + memory.words.word).is_err() {
+        if strip.division.is_padded() || i32::try_from(apart + memory.words.word).is_err() {
             let lane = self.existing(strip, lane);
             let start = self.scaled(lane, memory.words.lane);
             let base = self.memory_base(memory);

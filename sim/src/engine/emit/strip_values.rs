@@ -9,19 +9,16 @@ use super::lanes::{Lanes, Span, operator};
 use super::scalar::{Scalar, Scalars};
 use super::{Emitter, offset};
 use crate::engine::layout::Place;
-use crate::engine::plan::nest::Nest;
+use crate::engine::plan::nest::{Division, Nest};
 use crate::engine::program::{Kind, Lowered, ValueId};
 use crate::engine::strips::{Comparison, Type, Value};
 
 /// A strip while its code is emitted.
 #[derive(Debug)]
 pub(super) struct Strip {
+    pub division: Division,
     /// Lanes at a time.
     pub size: u32,
-    /// All lanes.
-    pub total: u32,
-    /// Lanes of a row.
-    pub row: u32,
     /// From the last lanes to the first.
     descends: bool,
     pub lanes: Lanes,
@@ -29,7 +26,7 @@ pub(super) struct Strip {
     pub(super) singles: Vec<Scalars>,
     /// The first lane, and the first lane within the row.
     pub first: Option<Value>,
-    within: Option<Value>,
+    pub within: Option<Value>,
     /// The state's address plus the first lane's distance, for each lane size in bytes and whether places move; a
     /// place's offset is added to it.
     addresses: HashMap<(usize, bool), Value>,
@@ -42,11 +39,12 @@ pub(super) struct Strip {
 impl Strip {
     /// The strips of these loops.
     pub fn new(nest: &Nest) -> Strip {
-        let &Nest { strip: size, lanes: total, row, descends, .. } = nest;
+        let &Nest { division, descends, .. } = nest;
+        let size = division.strip;
         let singles = Vec::new();
         let (addresses, memories, words) = (HashMap::new(), HashMap::new(), HashMap::new());
         let lanes = Lanes::new(size);
-        Strip { size, total, row, descends, lanes, singles, first: None, within: None, addresses, memories, words }
+        Strip { division, size, descends, lanes, singles, first: None, within: None, addresses, memories, words }
     }
 
     /// Defines a value in one lane.
@@ -62,11 +60,6 @@ impl Strip {
     /// Restores the result of [`Strip::save`].
     pub fn restore(&mut self, singles: Vec<Scalars>) {
         self.singles = singles;
-    }
-
-    /// Whether the last strip has padding lanes.
-    pub fn is_padded(&self) -> bool {
-        !self.row.is_multiple_of(self.size)
     }
 }
 
@@ -106,7 +99,7 @@ impl Emitter<'_, '_> {
     }
 
     /// The address of a strip's first lane, without the offset.
-    fn strip_address(&mut self, strip: &mut Strip, place: Place) -> Value {
+    pub(super) fn strip_address(&mut self, strip: &mut Strip, place: Place) -> Value {
         let key = (place.bytes(), place.moves);
         if let Some(address) = strip.addresses.get(&key) {
             return *address;
@@ -244,105 +237,15 @@ impl Emitter<'_, '_> {
             }
             // Made available before the loop.
             Kind::Broadcast { .. } if strip.lanes.has(id) => {}
-            Kind::Broadcast { of, axis } if axis.inner > 1 => self.tile(strip, id, *of),
-            Kind::Broadcast { of, .. } if self.function.cell(*of).lanes == 1 => self.singles(strip, id),
-            Kind::Broadcast { of, axis } if strip.size.is_multiple_of(axis.count) => {
-                self.repeat_lanes(strip, id, *of, axis.count);
-            }
-            Kind::Broadcast { of, axis } => {
-                let (n, total) = (axis.count, strip.total);
-                self.collect(strip, id, *of, |emitter, lane| emitter.divided(lane, total, n).0);
-            }
-            Kind::Lowered(Lowered::Gather { of, at }) => self.gather(strip, id, *of, *at),
-            Kind::Lane { of, axis, index } => {
-                let (index, group) = (i64::from(*index), axis.count as usize);
-                self.collect(strip, id, *of, |emitter, lane| {
-                    let start = emitter.scaled(lane, group);
-                    emitter.builder.add_constant(start, index)
-                });
-            }
-            Kind::Lowered(Lowered::Slide { of, by }) => self.neighbour(strip, id, *of, *by),
             Kind::Reduce { by, of, axis } => return self.accumulate(strip, id, *by, *of, axis.count),
-            kind => self.elementwise(strip, id, kind, cell.width),
+            kind => match self.access(strip, id) {
+                Some(access) => self.take(strip, id, access),
+                None => self.elementwise(strip, id, kind, cell.width),
+            },
         }
         if self.plan.live_out.contains(&id) {
             self.store_lanes(strip, id, self.addresses.of(id));
         }
-    }
-
-    /// Loads one lane of `of` by number for each lane of the strip.
-    pub(super) fn collect(
-        &mut self,
-        strip: &mut Strip,
-        id: ValueId,
-        of: ValueId,
-        mut from: impl FnMut(&mut Self, Value) -> Value,
-    ) {
-        let width = self.function.cell(id).width;
-        for lane in 0..strip.size {
-            let at = self.existing(strip, lane);
-            let from = from(self, at);
-            let mut single = std::mem::take(&mut self.scalars);
-            self.load_lane(id, of, from);
-            std::mem::swap(&mut single, &mut self.scalars);
-            strip.singles[lane as usize].define(id, single.get(id).expect("it was loaded").clone());
-        }
-        if width <= 64 {
-            self.vector(strip, id);
-        }
-    }
-
-    /// The number of a lane of the strip, or of the last existing lane.
-    pub(super) fn existing(&mut self, strip: &Strip, lane: u32) -> Value {
-        let at = self.builder.add_constant(strip.first.expect("it has begun"), i64::from(lane));
-        if !strip.is_padded() {
-            return at;
-        }
-        let last = self.builder.constant(Type::I64, i64::from(strip.total - 1));
-        self.builder.min(at, last)
-    }
-
-    /// A row that is the same for all rows.
-    fn tile(&mut self, strip: &mut Strip, id: ValueId, of: ValueId) {
-        let n = self.function.cell(of).lanes;
-        let is_constant = matches!(self.function.cell(of).kind, Kind::Const(_));
-        if !is_constant && n == strip.row && self.function.cell(id).width <= 64 {
-            let place = self.addresses.of(of);
-            let address = self.address(place, strip.within.expect("it has begun"));
-            // Its own strips have other sizes.
-            let aligned = (strip.size * place.element).is_multiple_of(128);
-            let side = Span { storage: place.element, address, offset: offset(place.offset), aligned };
-            strip.lanes.load(self.builder, id, self.function.cell(id).width, side);
-            return;
-        }
-        let total = strip.total;
-        self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, total, n).1);
-    }
-
-    /// For each lane, the lane `by` lanes before it; undefined beyond the edge of its group.
-    fn neighbour(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, by: i32) {
-        let width = self.function.cell(id).width;
-        if let Kind::Const(bits) = &self.function.cell(of).kind
-            && width <= 64
-        {
-            return strip.lanes.constant(id, bits);
-        }
-        if width <= 64 && by.unsigned_abs() <= self.strips.reach(strip.total) {
-            let place = self.addresses.of(of);
-            let address = self.strip_address(strip, place);
-            let offset = offset(place.offset) - by * place.bytes() as i32;
-            let side = Span { storage: place.element, address, offset, aligned: false };
-            strip.lanes.load(self.builder, id, width, side);
-            return;
-        }
-        let (by, total) = (i64::from(by), i64::from(strip.total));
-        self.collect(strip, id, of, |emitter, lane| {
-            let from = emitter.builder.add_constant(lane, -by);
-            // A lane before the first one becomes a number far beyond the last. In its place the lane itself is loaded,
-            // or the last one: these have not changed yet.
-            let limit = if by > 0 { lane } else { emitter.builder.constant(Type::I64, total - 1) };
-            emitter.builder.min(from, limit)
-        });
     }
 
     /// Combines a strip's lanes, one by one, into the groups' results in memory.
@@ -353,13 +256,13 @@ impl Emitter<'_, '_> {
             let lane = if strip.descends { strip.size - 1 - number } else { number };
             let at = self.builder.add_constant(strip.first.expect("it has begun"), i64::from(lane));
             // With one group, padding lanes add nothing to it.
-            let (target, within) = match group == strip.total {
+            let (target, within) = match group == strip.division.lanes {
                 true => (self.builder.constant(Type::I64, 0), at),
                 false => {
-                    let (target, within) = self.divided(at, strip.total, group);
+                    let (target, within) = self.divided(at, strip.division.lanes, group);
                     // Groups that do not exist are placed after the last one.
                     let behind = self.builder.constant(Type::I64, i64::from(place.lanes));
-                    (if strip.is_padded() { self.builder.min(target, behind) } else { target }, within)
+                    (if strip.division.is_padded() { self.builder.min(target, behind) } else { target }, within)
                 }
             };
             let at = self.address(place, target);

@@ -59,9 +59,9 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
         Seen::Branched(function, plan) => all.push((Pass::Branch, planned(program, function, plan, &lowered))),
         Seen::Sequenced(function, plan, pieces) => {
             all.push((Pass::Sequence, sequenced(program, function, plan, pieces, &lowered)));
-            let loops = Loops { function, plan, memories: &memories, strips: &strips };
-            all.push((Pass::Loops, loops.text(Text::with(program, function.circuit(), lowered.clone()), pieces)));
             let addresses = Addresses::new(function, plan, places.iter().filter_map(|place| *place), &mut layout);
+            let loops = Loops { function, plan, memories: &memories, strips: &strips, addresses: &addresses };
+            all.push((Pass::Loops, loops.text(Text::with(program, function.circuit(), lowered.clone()), pieces)));
             let of = Emitted { program, function, plan, addresses: &addresses, memories: &memories, strips: &strips };
             all.push((Pass::Strips, of.pieces(pieces, &lowered)));
         }

@@ -4,9 +4,11 @@ use std::fmt::Write;
 
 use super::Text;
 use super::functions::{self, kernels, line, list};
+use crate::engine::emit::Addresses;
 use crate::engine::function::{Function, Sink};
 use crate::engine::layout::memory_at::MemoryAt;
 use crate::engine::layout::strip_sizes::StripSizes;
+use crate::engine::plan::access::Access;
 use crate::engine::plan::nest::{Nest, Work};
 use crate::engine::plan::sequence::Step;
 use crate::engine::plan::{Kernel, Plan};
@@ -18,6 +20,7 @@ pub(super) struct Loops<'a> {
     pub plan: &'a Plan,
     pub memories: &'a [MemoryAt],
     pub strips: &'a StripSizes,
+    pub addresses: &'a Addresses,
 }
 
 impl Loops<'_> {
@@ -55,9 +58,16 @@ impl Loops<'_> {
             ("before each row", sources(text, &nest.of_row)),
             ("carried along a row", list(text, &nest.sums)),
             ("carried along all rows", list(text, &nest.totals)),
+            ("taken by one load", self.taken(text, &nest, |it| matches!(it, Access::OfRow(_) | Access::Near(..)))),
+            (
+                "taken by some loads",
+                self.taken(text, &nest, |it| matches!(it, Access::Groups(..) | Access::Regular { .. })),
+            ),
+            ("taken lane by lane", self.taken(text, &nest, |it| matches!(it, Access::Each(..)))),
         ];
-        let rows = if nest.rows() > 1 { format!("rows of {}, ", nest.row) } else { String::new() };
-        let mut lines = vec![format!("{rows}strips of {}", nest.strip)];
+        let division = nest.division;
+        let rows = if division.rows() > 1 { format!("rows of {}, ", division.row) } else { String::new() };
+        let mut lines = vec![format!("{rows}strips of {}", division.strip)];
         lines.extend(
             parts.into_iter().filter(|(_, names)| !names.is_empty()).map(|(what, names)| format!("{what}: {names}")),
         );
@@ -74,5 +84,17 @@ impl Loops<'_> {
             Work::Write(sink) => line(text, self.function, sink).trim().to_owned(),
         }));
         lines
+    }
+
+    /// The cells whose lanes are taken from others in one of these ways, and not before the loop.
+    fn taken(&self, text: &Text, nest: &Nest, is_so: impl Fn(&Access) -> bool) -> String {
+        let is_before = |id: &ValueId| nest.tiles.contains(id) || nest.of_row.contains(id);
+        let is_stored = |id: ValueId| self.addresses.has(id);
+        let of = |id: ValueId| Access::of(self.function, self.strips, nest.division, &is_stored, id);
+        let cells = nest.work.iter().filter_map(|work| match *work {
+            Work::Cell(id) if !is_before(&id) => of(id).filter(&is_so).map(|_| id),
+            _ => None,
+        });
+        list(text, cells.collect::<Vec<_>>().iter())
     }
 }

@@ -5,6 +5,7 @@
 //! count. An operation from lanes to scalars or to other lanes (a reduction, a neighbour, one lane) begins a new
 //! stage, unless it reads state, which is in memory anyway.
 
+pub(super) mod access;
 pub(super) mod branch;
 mod hazards;
 pub(super) mod nest;

@@ -12,15 +12,33 @@ use crate::engine::layout::memory_at::MemoryAt;
 use crate::engine::layout::strip_sizes::StripSizes;
 use crate::engine::program::{Axis, Kind, Lowered, ValueId};
 
-/// The loops of a kernel without branches.
-#[derive(Debug)]
-pub(crate) struct Nest {
+/// How loops divide lanes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Division {
     /// All lanes.
     pub lanes: u32,
     /// Lanes of a row.
     pub row: u32,
     /// Lanes at a time.
     pub strip: u32,
+}
+
+impl Division {
+    /// The number of rows.
+    pub fn rows(self) -> u32 {
+        self.lanes / self.row
+    }
+
+    /// Whether the last strip has padding lanes.
+    pub fn is_padded(self) -> bool {
+        !self.row.is_multiple_of(self.strip)
+    }
+}
+
+/// The loops of a kernel without branches.
+#[derive(Debug)]
+pub(crate) struct Nest {
+    pub division: Division,
     /// From the last lanes to the first.
     pub descends: bool,
     /// Scalars taken in all lanes: made available before all loops.
@@ -64,9 +82,7 @@ impl Nest {
         let sums = sums(row);
         let carried: BTreeSet<ValueId> = sums.iter().chain(&totals).copied().collect();
         Nest {
-            lanes,
-            row,
-            strip,
+            division: Division { lanes, row, strip },
             descends: kernel.descends,
             uniforms: inputs.uniforms(),
             tiles: inputs.tiles(strip),
@@ -76,11 +92,6 @@ impl Nest {
             sums,
             totals,
         }
-    }
-
-    /// The number of rows.
-    pub fn rows(&self) -> u32 {
-        self.lanes / self.row
     }
 }
 
