@@ -1,4 +1,4 @@
-//! From a planned function to machine code.
+//! From a planned function to its strip program.
 
 mod addresses;
 mod gather;

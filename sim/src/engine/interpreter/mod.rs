@@ -1,5 +1,5 @@
-//! An interpreter for machines for which no code can be generated. It computes only what may have changed, and values
-//! of up to 64 bits in loops over their lanes.
+//! An interpreter: it runs a circuit before there is code, and where none can be generated. It computes only what may
+//! have changed, and values of up to 64 bits in loops over their lanes.
 //!
 //! All values are in one array of limbs in the program's sequence, so operands always precede results.
 
