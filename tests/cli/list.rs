@@ -28,7 +28,7 @@ fn everything_has_one_line_under_its_heading() {
 fn a_part_is_shown_alone() {
     let folder = Folder::new();
     let whole = folder.stdout("list");
-    for (part, first, count) in [("scenes", "teapot ", 10), ("passes", "flatten ", 16), ("designs", "pimN ", 11)] {
+    for (part, first, count) in [("scenes", "teapot ", 10), ("passes", "flatten ", 17), ("designs", "pimN ", 11)] {
         let text = folder.stdout(&format!("list {part}"));
         let lines: Vec<&str> = text.lines().collect();
         assert!(lines.len() == count && lines[1].trim_start().starts_with(first), "{text}");
