@@ -41,36 +41,7 @@ impl Loops<'_> {
     /// A loop without branches.
     fn nest(&self, text: &mut Text, lanes: u32, kernel: &Kernel) -> Vec<String> {
         let nest = Nest::of((self.function, self.plan), self.memories, self.strips, lanes, kernel);
-        let source = |id: &ValueId| match self.function.cell(*id).kind {
-            Kind::Broadcast { of, .. } => of,
-            _ => *id,
-        };
-        let sources = |text: &Text, ids: &[ValueId]| list(text, ids.iter().map(source).collect::<Vec<_>>().iter());
-        let words: Vec<String> = nest
-            .words
-            .iter()
-            .map(|&(memory, at)| format!("{}[{}]", text.memory(memory), text.name(source(&at))))
-            .collect();
-        let parts = [
-            ("before all", sources(text, &nest.uniforms)),
-            ("before all, repeated in a strip", sources(text, &nest.tiles)),
-            ("found before all", words.join(" ")),
-            ("before each row", sources(text, &nest.of_row)),
-            ("carried along a row", list(text, &nest.sums)),
-            ("carried along all rows", list(text, &nest.totals)),
-            ("taken by one load", self.taken(text, &nest, |it| matches!(it, Access::OfRow(_) | Access::Near(..)))),
-            (
-                "taken by some loads",
-                self.taken(text, &nest, |it| matches!(it, Access::Groups(..) | Access::Regular { .. })),
-            ),
-            ("taken lane by lane", self.taken(text, &nest, |it| matches!(it, Access::Each(..)))),
-        ];
-        let division = nest.division;
-        let rows = if division.rows() > 1 { format!("rows of {}, ", division.row) } else { String::new() };
-        let mut lines = vec![format!("{rows}strips of {}", division.strip)];
-        lines.extend(
-            parts.into_iter().filter(|(_, names)| !names.is_empty()).map(|(what, names)| format!("{what}: {names}")),
-        );
+        let mut lines = self.around(text, &nest);
         let values = text.values(kernel.cells.iter().copied());
         let mut values = values.lines().map(|line| line.trim().to_owned());
         lines.extend(nest.work.iter().map(|work| match *work {
@@ -86,15 +57,43 @@ impl Loops<'_> {
         lines
     }
 
+    /// The division of the lanes, what stands before the loops, what they carry, and what a strip takes from others.
+    fn around(&self, text: &Text, nest: &Nest) -> Vec<String> {
+        let source = |id: ValueId| match self.function.cell(id).kind {
+            Kind::Broadcast { of, .. } => of,
+            _ => id,
+        };
+        let sources = |ids: &[ValueId]| list(text, &ids.iter().map(|&id| source(id)).collect::<Vec<_>>());
+        let word = |&(memory, at): &(u32, ValueId)| format!("{}[{}]", text.memory(memory), text.name(source(at)));
+        let words: Vec<String> = nest.words.iter().map(word).collect();
+        let taken = |is_so: fn(&Access) -> bool| self.taken(text, nest, is_so);
+        let parts = [
+            ("before all", sources(&nest.uniforms)),
+            ("before all, repeated in a strip", sources(&nest.tiles)),
+            ("found before all", words.join(" ")),
+            ("before each row", sources(&nest.of_row)),
+            ("carried along a row", list(text, &nest.sums)),
+            ("carried along all rows", list(text, &nest.totals)),
+            ("taken by one load", taken(|it| matches!(it, Access::OfRow(_) | Access::Near(..)))),
+            ("taken by some loads", taken(|it| matches!(it, Access::Groups(..) | Access::Regular { .. }))),
+            ("taken lane by lane", taken(|it| matches!(it, Access::Each(..)))),
+        ];
+        let division = nest.division;
+        let rows = if division.rows() > 1 { format!("rows of {}, ", division.row) } else { String::new() };
+        let some = parts.into_iter().filter(|(_, names)| !names.is_empty());
+        let lines = some.map(|(what, names)| format!("{what}: {names}"));
+        [format!("{rows}strips of {}", division.strip)].into_iter().chain(lines).collect()
+    }
+
     /// The cells whose lanes are taken from others in one of these ways, and not before the loop.
-    fn taken(&self, text: &Text, nest: &Nest, is_so: impl Fn(&Access) -> bool) -> String {
+    fn taken(&self, text: &Text, nest: &Nest, is_so: fn(&Access) -> bool) -> String {
         let is_before = |id: &ValueId| nest.tiles.contains(id) || nest.of_row.contains(id);
         let is_stored = |id: ValueId| self.addresses.has(id);
         let of = |id: ValueId| Access::of(self.function, self.strips, nest.division, &is_stored, id);
         let cells = nest.work.iter().filter_map(|work| match *work {
-            Work::Cell(id) if !is_before(&id) => of(id).filter(&is_so).map(|_| id),
+            Work::Cell(id) if !is_before(&id) => of(id).filter(is_so).map(|_| id),
             _ => None,
         });
-        list(text, cells.collect::<Vec<_>>().iter())
+        list(text, &cells.collect::<Vec<_>>())
     }
 }
