@@ -166,3 +166,29 @@ fn no_linter_complains_of_any_kind() {
         panic!("{}", first.unwrap());
     }
 }
+
+codes! { enum Light { Red, Green, Blue } }
+
+block! {
+    /// A register of codes that no reset sets: its reset value is in no line.
+    struct Unset;
+    in UnsetIn { go: bit() }
+    out UnsetOut { light: _ }
+}
+
+impl Unset {
+    fn build(&self, m: Module, i: UnsetIn) -> UnsetOut {
+        def!(light = m.reg(one_of::<Light>()).reset(Light::Green).initial(Light::Red));
+        light.when(i.go, Light::Blue);
+        UnsetOut { light: *light }
+    }
+}
+
+#[test]
+fn a_code_that_no_line_mentions_is_not_declared() {
+    let files = verilog(&elaborate_at(&Unset, DefaultClock::new(DEFAULT_PERIOD).reset(Reset::PowerOn)).unwrap());
+    tools::lint(&files).unwrap_or_else(|problems| panic!("{problems}\n{}", files[0].text));
+    let text = &files[0].text;
+    assert!(text.contains("initial light = LIGHT_RED;"), "{text}");
+    assert!(text.contains("    // Not used here: LIGHT_GREEN = 1.\n"), "{text}");
+}

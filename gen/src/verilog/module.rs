@@ -23,10 +23,7 @@ pub fn print(printer: &mut Printer, described: &Module, latency: Option<&Latency
     let registers = printer.registers();
     let outputs = printer.output_assigns();
     let properties = printer.plain_properties();
-    // They may be the only use of a code.
     let properties = printer.properties(&properties);
-    body.section(printer.border.declarations());
-    body.section(printer.states.declarations());
     body.section(printer.register_declarations(false));
     body.section(memories);
     body.section(contents);
@@ -43,7 +40,11 @@ pub fn print(printer: &mut Printer, described: &Module, latency: Option<&Latency
     body.section(printer.stop_task());
     body.section(properties);
     body.section(printer.unused());
-    let body = printer.fill_in_unread(body.lines);
+    let mut whole = Body::default();
+    whole.section(printer.border.declarations());
+    whole.section(printer.states.declarations(&body.lines));
+    whole.lines.extend(body.lines);
+    let body = printer.fill_in_unread(whole.lines);
     let header = header(described, latency);
     format!("{header}{}{body}endmodule\n`default_nettype wire\n", super::ports::print(printer))
 }

@@ -4,6 +4,7 @@
 use super::layout::{range, wrapped};
 use super::literal::{Style, literal};
 use super::scope;
+use super::text::words;
 use std::collections::BTreeSet;
 use tilewright_circuit::Bits;
 use tilewright_circuit::ir::{Kind, Module, Names, NodeId};
@@ -19,8 +20,6 @@ struct Enum {
     names: Names,
     width: u32,
     localparams: Vec<String>,
-    /// The places of the codes that the text mentions.
-    used: BTreeSet<usize>,
 }
 
 impl StateNames {
@@ -33,7 +32,7 @@ impl StateNames {
             let index = known.unwrap_or_else(|| {
                 let name = |code: &&str| taken.fresh(&screaming(&[names.of, code]));
                 let localparams = names.codes.iter().map(name).collect();
-                all.enums.push(Enum { names, width, localparams, used: BTreeSet::new() });
+                all.enums.push(Enum { names, width, localparams });
                 all.enums.len() - 1
             });
             all.of[id] = Some(index);
@@ -47,13 +46,10 @@ impl StateNames {
     }
 
     /// A state's name, or the plain number if no state has that code.
-    pub fn name(&mut self, index: usize, value: &Bits) -> String {
-        let states = &mut self.enums[index];
+    pub fn name(&self, index: usize, value: &Bits) -> String {
+        let states = &self.enums[index];
         match value.to_u64().and_then(|value| states.names.place(value)) {
-            Some(place) => {
-                states.used.insert(place);
-                states.localparams[place].clone()
-            }
+            Some(place) => states.localparams[place].clone(),
             None => literal(value, Style::Count),
         }
     }
@@ -68,17 +64,24 @@ impl StateNames {
         only.filter(|_| others.next().is_none())
     }
 
-    /// The declarations. Codes that the text does not mention are listed after them as a comment, because linters
-    /// warn about an unused `localparam`.
-    pub fn declarations(&self) -> Vec<String> {
-        self.enums.iter().filter(|states| !states.used.is_empty()).flat_map(Enum::declarations).collect()
+    /// The declarations of the codes that the finished text mentions. The others are listed after them as a comment,
+    /// because linters warn about an unused `localparam`.
+    pub fn declarations(&self, text: &[String]) -> Vec<String> {
+        if self.enums.is_empty() {
+            return Vec::new();
+        }
+        let mentioned = text.iter().flat_map(|line| words(line)).collect();
+        self.enums.iter().flat_map(|states| states.declarations(&mentioned)).collect()
     }
 }
 
 impl Enum {
-    fn declarations(&self) -> Vec<String> {
+    fn declarations(&self, mentioned: &BTreeSet<&str>) -> Vec<String> {
         let (used, unused): (Vec<_>, Vec<_>) =
-            self.localparams.iter().enumerate().partition(|(place, _)| self.used.contains(place));
+            self.localparams.iter().enumerate().partition(|(_, name)| mentioned.contains(name.as_str()));
+        if used.is_empty() {
+            return Vec::new();
+        }
         let longest = used.iter().map(|(_, name)| name.len()).max().unwrap_or(0);
         let declare = |(place, name): (usize, &String)| {
             let value = literal(&Bits::new(self.width, self.names.values[place]), Style::Count);
