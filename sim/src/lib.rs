@@ -210,7 +210,7 @@ pub use tilewright_circuit::Bits;
 pub use tilewright_hdl::Bundle;
 
 pub use engine::program;
-pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
+pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Target, Unsupported, explain};
 #[doc(hidden)]
 pub use engine::{Examined, examined};
 pub use testbench::{

@@ -31,7 +31,7 @@ pub use choice::EngineKind;
 pub(crate) use choice::Started;
 pub use cranelift::Unsupported;
 pub use explain::{Explained, Pass, explain};
-pub use passes::Passes;
+pub use passes::{Passes, Target};
 use program::{Memory, Program, Triggers, ValueId};
 #[doc(hidden)]
 pub use running::examined;

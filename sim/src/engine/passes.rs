@@ -66,12 +66,47 @@ pub struct Passes {
     /// The least number of vector operations, approximately, at a clock edge that is skipped when nothing happens at
     /// it. It applies to circuits with several clocks.
     pub idle_from: usize,
-    /// Interprets the operations that would become machine code. It is slow, and tells whether a mistake is made
-    /// before code generation or in it.
-    pub evaluated: bool,
+    /// What runs in place of machine code, if anything does.
+    pub target: Target,
     /// Places the data of generated code between protected pages, so that an access out of bounds ends the program.
     /// It is on if debug assertions are.
     pub guarded: bool,
+}
+
+/// What the compiled engine makes. The others than code are slow: they tell whether a mistake is made before code
+/// generation or in it, and try vectors that no processor at hand has.
+///
+/// ```
+/// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
+/// use tilewright_sim::{Passes, Target};
+///
+/// let design = tilewright_hdl::elaborate(&Counter)?;
+/// for target in [Target::Functions, Target::Strips { vector: 256 }] {
+///     let passes = Passes { target, ..Passes::default() };
+///     let mut sim = Simulation::with_passes(&design, &passes)?.on(EngineKind::Compiled);
+///     sim.run(5);
+///     assert_eq!(sim.peek("count")?, 0);
+/// }
+/// # Ok::<(), tilewright_sim::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// Machine code.
+    Code,
+    /// Lowered functions: the operations that would become code are interpreted.
+    Functions,
+    /// Strip programs with vectors of 64, 128 or 256 bits: each is checked and evaluated.
+    Strips {
+        /// Bits of a vector.
+        vector: u32,
+    },
+}
+
+impl Target {
+    /// Bits of a vector.
+    pub(crate) fn vector(self) -> u32 {
+        if let Target::Strips { vector } = self { vector } else { 128 }
+    }
 }
 
 impl Default for Passes {
@@ -98,7 +133,7 @@ impl Default for Passes {
             apart_from: 64,
             apart_single: 200,
             idle_from: 500,
-            evaluated: false,
+            target: Target::Code,
             guarded: cfg!(debug_assertions),
         }
     }
@@ -136,7 +171,7 @@ impl Passes {
             apart_from: u32::MAX,
             apart_single: usize::MAX,
             idle_from: usize::MAX,
-            evaluated: false,
+            target: Target::Code,
             guarded: cfg!(debug_assertions),
         }
     }

@@ -2,7 +2,7 @@
 //! cycle in which an assertion fails.
 
 use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate, mux, stack};
-use tilewright_sim::{EngineKind, Passes, Simulation};
+use tilewright_sim::{EngineKind, Passes, Simulation, Target};
 
 use crate::circuits::random::Random;
 
@@ -98,7 +98,7 @@ fn what_assertions_have_computed_is_what_an_edge_needs() {
         let others = [
             Passes { longest: 6, ..usual.clone() },
             Passes { pack_from: u32::MAX, ..usual.clone() },
-            Passes { evaluated: true, ..usual.clone() },
+            Passes { target: Target::Functions, ..usual.clone() },
             usual,
         ];
         for passes in others {

@@ -4,7 +4,7 @@
 use tilewright_hdl::{
     Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, elaborate, mux,
 };
-use tilewright_sim::{EngineKind, Passes, Simulation};
+use tilewright_sim::{EngineKind, Passes, Simulation, Target};
 
 use crate::circuits::random::{Again, Random, campaign};
 
@@ -160,12 +160,13 @@ fn run(seed: u64) -> u64 {
     let mut passes = Passes { idle_from: 0, guarded: true, ..Passes::default() };
     passes.held_after = random.one(&[50_000, 40]);
     passes.pack_from = random.one(&[2, u32::MAX]);
-    let on = |(kind, evaluated)| {
-        let passes = Passes { evaluated, ..passes.clone() };
+    let on = |(kind, target)| {
+        let passes = Passes { target, ..passes.clone() };
         Simulation::with_passes(&design, &passes).unwrap().seeded(seed % 3).on(kind)
     };
     let engines = [EngineKind::Reference, EngineKind::Compiled, EngineKind::Compiled, EngineKind::Both];
-    let mut all: Vec<_> = engines.into_iter().zip([false, false, true, false]).map(on).collect();
+    let mut all: Vec<_> =
+        engines.into_iter().zip([Target::Code, Target::Code, Target::Functions, Target::Code]).map(on).collect();
     let (mut x, mut again) = (0, Again::default());
     for step in 0..40 {
         x = if random.below(3) == 0 { random.below(4) } else { x };

@@ -1,7 +1,7 @@
 //! Operations with so many operands that their code is made in pieces.
 
 use tilewright_hdl::{Module, Signal, bits, block, case, concat, elaborate, lit, mux, select};
-use tilewright_sim::{EngineKind, Passes, Simulation};
+use tilewright_sim::{EngineKind, Passes, Simulation, Target};
 
 use crate::circuits::random::Random;
 
@@ -55,7 +55,7 @@ fn operations_of_many_operands_run_as_on_the_reference_engine() {
     let design = elaborate(&Many).unwrap();
     for passes in [
         Passes::default(),
-        Passes { evaluated: true, ..Passes::default() },
+        Passes { target: Target::Functions, ..Passes::default() },
         Passes { lookups: false, fields: false, longest: 20, ..Passes::default() },
     ] {
         let mut sim = Simulation::with_passes(&design, &passes).unwrap().on(EngineKind::Both);

@@ -2,13 +2,13 @@
 
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, Design};
-use tilewright_sim::{EngineKind, Passes, Simulation};
+use tilewright_sim::{EngineKind, Passes, Simulation, Target};
 
 use crate::circuits::build::Build;
 
 /// All passes, none, and all but one, with code for constant inputs and functions that are cut early.
 fn every_passes() -> Vec<Passes> {
-    let without: [fn(&mut Passes); 10] = [
+    let without: [fn(&mut Passes); 13] = [
         |passes| passes.siblings = false,
         |passes| passes.fold = false,
         |passes| passes.share = false,
@@ -18,14 +18,17 @@ fn every_passes() -> Vec<Passes> {
         |passes| passes.branch = false,
         |passes| passes.lookups = false,
         |passes| passes.side_by_side = false,
-        |passes| passes.evaluated = true,
+        |passes| passes.target = Target::Functions,
+        |passes| passes.target = Target::Strips { vector: 64 },
+        |passes| passes.target = Target::Strips { vector: 128 },
+        |passes| passes.target = Target::Strips { vector: 256 },
     ];
     let without = without.map(|switch| {
         let mut passes = Passes { held_after: 3, longest: 20, near: 0, ..Passes::default() };
         switch(&mut passes);
         passes
     });
-    let plain = Passes { evaluated: true, ..Passes::none() };
+    let plain = Passes { target: Target::Functions, ..Passes::none() };
     [Passes::default(), Passes::none(), plain].into_iter().chain(without).collect()
 }
 

@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use tilewright_hdl::ir::Design;
-use tilewright_sim::{EngineKind, Passes, Simulation};
+use tilewright_sim::{EngineKind, Passes, Simulation, Target};
 
 /// How many designs run in one process, and its seconds of processor time at most.
 const TOGETHER: u64 = 50;
@@ -65,9 +65,11 @@ fn run(design: &Design, stimulus: &Stimulus) -> u64 {
         runs[0]
     };
     // What code is made of is right, and so is the code.
-    let evaluated = steps(&Passes { evaluated: true, ..passes.clone() });
     let instants = steps(&passes);
-    assert_eq!(evaluated, instants, "an assertion fails at another edge");
+    for target in [Target::Functions, Target::Strips { vector: 64 << (stimulus.seed % 3) }] {
+        let evaluated = steps(&Passes { target, ..passes.clone() });
+        assert_eq!(evaluated, instants, "an assertion fails at another edge with {target:?}");
+    }
     instants
 }
 

@@ -13,6 +13,7 @@ use cranelift_codegen::control::ControlPlane;
 use cranelift_codegen::ir::UserFuncName;
 use cranelift_codegen::isa::{OwnedTargetIsa, TargetIsa};
 
+use super::evaluated::evaluating;
 use super::pages::CodePages;
 use super::shared::SharedCode;
 use super::target::{Unsupported, host};
@@ -22,6 +23,8 @@ use crate::engine::strips::{Builder, Examined, Kept, Notes, Only, Program, Surro
 /// A generated function: takes the addresses of the state and of scratch memory and a number, and returns a number.
 type Entry = unsafe extern "C" fn(*mut u8, u64, *mut u64) -> u64;
 
+/// Bits of a vector in code.
+pub(super) const VECTOR: u32 = 128;
 /// Bytes of stack that every caller of code is assumed to have left.
 const STACK: usize = 64 << 10;
 /// Bytes of stack for functions that code calls.
@@ -121,6 +124,10 @@ pub(in crate::engine) struct Jit {
     pub scratch: usize,
     /// Programs are examined, and no code is made of them.
     pub examined: Option<Examined>,
+    /// Bits of a vector.
+    vector: u32,
+    /// Code has programs evaluated.
+    evaluates: bool,
 }
 
 impl Jit {
@@ -134,10 +141,15 @@ impl Jit {
         Jit { shared, ..self }
     }
 
+    /// Programs have vectors of so many bits, and are evaluated.
+    pub fn evaluating(self, vector: u32) -> Jit {
+        Jit { vector, evaluates: true, ..self }
+    }
+
     /// Prepares for a machine.
     pub fn on(target: OwnedTargetIsa) -> Jit {
         let (made, kept, shared) = (Vec::new(), Kept::new(), Arc::default());
-        Jit { target, made, shared, kept, scratch: 0, examined: None }
+        Jit { target, made, shared, kept, scratch: 0, examined: None, vector: VECTOR, evaluates: false }
     }
 
     /// Makes a function in this memory. `body` gets the builder in the entry block, the address of the state and the
@@ -191,20 +203,28 @@ impl Jit {
 
     /// The program of a function.
     fn program(&mut self, memory: &dyn Surroundings, body: impl FnOnce(&mut Builder, Value, Value)) -> Program {
-        let mut builder = Builder::new();
+        let mut builder = Builder::new(self.vector);
         let [state, argument, _] = Program::PARAMETERS;
         body(&mut builder, state, argument);
         let (program, kept) = builder.finish();
         if let Some(examined) = &mut self.examined {
             examined.add(&program, memory);
-        } else if cfg!(debug_assertions)
+        } else if (self.evaluates || cfg!(debug_assertions))
             && let Err(rule) = program.check(memory)
         {
             panic!("a strip program breaks a rule: {rule}\n{}", program.text(&Notes::NONE));
         }
         self.kept.extend(kept);
         self.scratch = self.scratch.max(program.scratch);
-        program
+        if self.evaluates { self.evaluated(program) } else { program }
+    }
+
+    /// The program of code that has a program evaluated.
+    fn evaluated(&mut self, program: Program) -> Program {
+        let program = Arc::new(program);
+        let code = evaluating(&program);
+        self.kept.push(program);
+        code
     }
 
     /// The code of these programs.

@@ -1,5 +1,6 @@
 //! Machine code of strip programs, made by Cranelift. Nothing outside of this room knows of it.
 
+mod evaluated;
 mod jit;
 mod pages;
 mod shared;

@@ -194,7 +194,7 @@ impl Translator<'_, '_> {
             Operation::Constant(number) => self.ins().iconst(ty, *number),
             Operation::Address(address) => self.ins().iconst(ty, *address as i64),
             Operation::Bytes(bytes) => {
-                let bytes = self.func.dfg.constants.insert(ConstantData::from(bytes.as_slice()));
+                let bytes = self.func.dfg.constants.insert(ConstantData::from(&bytes[..16]));
                 self.ins().vconst(ty, bytes)
             }
             Operation::Unary(unary, of) => {
@@ -219,7 +219,7 @@ impl Translator<'_, '_> {
             }
             Operation::Shuffle(x, y, bytes) => {
                 let [x, y] = [x, y].map(|value| self.of(*value));
-                let bytes = self.func.dfg.immediates.push(ConstantData::from(bytes.as_slice()));
+                let bytes = self.func.dfg.immediates.push(ConstantData::from(&bytes[..16]));
                 self.ins().shuffle(x, y, bytes)
             }
             Operation::Lane(of, lane) => {
@@ -293,7 +293,7 @@ impl Translator<'_, '_> {
         }
     }
 
-    /// The same 128 bits in another type.
+    /// The same bits in another type.
     fn cast(&mut self, value: ir::Value, to: ir::Type) -> ir::Value {
         match self.func.dfg.value_type(value) == to {
             true => value,

@@ -26,7 +26,7 @@ impl Emitter<'_, '_> {
                 let place = self.addresses.of(of);
                 let address = self.address(place, strip.within.expect("it has begun"));
                 // Its own strips have other sizes.
-                let aligned = (strip.size * place.element).is_multiple_of(128);
+                let aligned = (strip.size * place.element).is_multiple_of(self.builder.vector_bits());
                 self.load_span(strip, id, address, place, 0, aligned);
             }
             Access::Near(of, by) => {
@@ -154,7 +154,7 @@ impl Emitter<'_, '_> {
         let (number, _) = self.divided(strip.first.expect("it has begun"), strip.division.lanes, strip.size);
         let (place, before) = (self.addresses.of(of), self.scaled(number, step as usize));
         let address = self.address(place, before);
-        let of_vectors = lanes.chunks(128 / place.integer() as usize);
+        let of_vectors = lanes.chunks((self.builder.vector_bits() / place.integer()) as usize);
         let are_together = of_vectors.clone().all(|lanes| lanes.windows(2).all(|pair| pair[0] + 1 == pair[1]));
         if place.width <= 64 && strip.lanes.element(place.width) == place.element && are_together {
             let offsets: Vec<i32> = of_vectors.map(|lanes| offset(place.lane(lanes[0]))).collect();

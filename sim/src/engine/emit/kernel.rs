@@ -55,7 +55,7 @@ impl Emitter<'_, '_> {
         }
         let nest = Nest::of((self.function, self.plan), self.memories, self.strips, lanes, kernel);
         let (outer, scratch) = (self.scalars.clone(), self.builder.taken());
-        let mut strip = Strip::new(&nest);
+        let mut strip = Strip::new(&nest, self.builder.vector_bits());
         nest.uniforms.iter().for_each(|&id| self.splat_uniform(&mut strip, id));
         nest.tiles.iter().for_each(|&id| self.tile_whole(&mut strip, id));
         nest.words.iter().for_each(|&(memory, address)| self.begin_words(&mut strip, memory, address));

@@ -1,4 +1,4 @@
-//! Elementwise operations on a strip of lanes, in vector registers of 128 bits.
+//! Elementwise operations on a strip of lanes, in vectors.
 //!
 //! A value may exist in several forms at once: in elements of different sizes, with or without undefined bits above
 //! its width, 1-bit values as masks. Conversions are made where an operation needs them, and remembered. Unused forms
@@ -22,12 +22,11 @@ use tilewright_circuit::Bits;
 use tilewright_circuit::ir::Unary;
 
 use crate::engine::program::{Kind, ValueId};
-use crate::engine::strips::{Builder, Value};
+use crate::engine::strips::{Builder, Type, Value};
 pub(super) use access::Span;
 pub(super) use form::Vector;
 use form::{Form, Need, Step, next};
 pub(super) use reduce::operator;
-pub(super) use vectors::ty;
 use vectors::{low_mask, signed_constant, vector_constant};
 
 /// Everything known of a value.
@@ -62,6 +61,8 @@ pub(super) struct Mark(usize);
 #[derive(Debug)]
 pub(super) struct Lanes {
     strip: u32,
+    /// Bits of a vector.
+    vector: u32,
     values: FxHashMap<ValueId, Entry>,
     constants: FxHashMap<(u32, u64), Value>,
     /// Powers of two by amount, element, and whether they decrease with the amount.
@@ -74,11 +75,12 @@ pub(super) struct Lanes {
 const ELEMENTS: [u32; 4] = [8, 16, 32, 64];
 
 impl Lanes {
-    /// Strips of 4, 8 or 16 lanes.
-    pub fn new(strip: u32) -> Lanes {
-        assert!(matches!(strip, 4 | 8 | 16), "a strip of {strip} lanes");
+    /// Strips of as many lanes as a vector of so many bits has integers of 8, 16 or 32 bits.
+    pub fn new(strip: u32, vector: u32) -> Lanes {
+        assert!([8, 16, 32].contains(&(vector / strip)), "a strip of {strip} lanes in vectors of {vector} bits");
         Lanes {
             strip,
+            vector,
             values: FxHashMap::default(),
             constants: FxHashMap::default(),
             powers: FxHashMap::default(),
@@ -87,15 +89,20 @@ impl Lanes {
         }
     }
 
+    /// The element with which a strip fills a vector.
+    fn smallest(&self) -> u32 {
+        self.vector / self.strip
+    }
+
     /// The smallest element for a width.
     pub fn element(&self, width: u32) -> u32 {
         debug_assert!((1..=64).contains(&width), "{width} bits a lane");
-        width.next_power_of_two().max(8).max(128 / self.strip)
+        width.next_power_of_two().max(self.smallest())
     }
 
     /// The number of vectors of a value with this element.
     pub fn parts(&self, element: u32) -> usize {
-        (self.strip * element / 128) as usize
+        (self.strip * element / self.vector) as usize
     }
 
     /// Defines a value.
@@ -122,9 +129,9 @@ impl Lanes {
             };
             let number = match element {
                 64 => number,
-                _ => b.truncate(ty(element).of_lane(), number),
+                _ => b.truncate(Type::integer(element), number),
             };
-            let part = b.splat(ty(element), number);
+            let part = b.splat(b.vector(element), number);
             forms.push(Vector { width, element, form, parts: vec![part; self.parts(element)], inverse: None });
         }
         self.insert(id, Entry { width, scalar: Some(scalar), forms, ..Entry::default() });

@@ -21,7 +21,6 @@ use crate::engine::plan::sequence::Step;
 use crate::engine::program::{Kind, Lowered, ValueId};
 use crate::engine::strips::{Builder, Comparison, Loop, Type, Value};
 pub(crate) use addresses::Addresses;
-use lanes::ty;
 use scalar::{Scalar, Scalars};
 use versions::TableAt;
 
@@ -269,14 +268,16 @@ impl<'a, 'b> Emitter<'a, 'b> {
 
     /// Copies an array, by vectors.
     fn copy(&mut self, from: Place, to: Place) {
-        let vectors = (from.lanes as usize * from.bytes()).div_ceil(16);
-        let count = Count { limit: vectors as i64 * 16, step: 16, descends: false };
+        let size = self.builder.vector_bits() as usize / 8;
+        let bytes = (from.lanes as usize * from.bytes()).next_multiple_of(size);
+        let count = Count { limit: bytes as i64, step: size as i64, descends: false };
         self.count(count, &[], |emitter, at, _| {
             let [source, target] = [from, to].map(|place| {
                 let base = emitter.base(place);
                 emitter.builder.add(base, at)
             });
-            let vector = emitter.builder.load(ty(from.integer()), source, offset(from.offset));
+            let ty = emitter.builder.vector(from.integer());
+            let vector = emitter.builder.load(ty, source, offset(from.offset));
             emitter.builder.store(vector, target, offset(to.offset));
             Vec::new()
         });

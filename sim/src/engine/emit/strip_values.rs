@@ -37,13 +37,13 @@ pub(super) struct Strip {
 }
 
 impl Strip {
-    /// The strips of these loops.
-    pub fn new(nest: &Nest) -> Strip {
+    /// The strips of these loops, in vectors of so many bits.
+    pub fn new(nest: &Nest, vector: u32) -> Strip {
         let &Nest { division, descends, .. } = nest;
         let size = division.strip;
         let singles = Vec::new();
         let (addresses, memories, words) = (HashMap::new(), HashMap::new(), HashMap::new());
-        let lanes = Lanes::new(size);
+        let lanes = Lanes::new(size, vector);
         Strip { division, size, descends, lanes, singles, first: None, within: None, addresses, memories, words }
     }
 

@@ -1,6 +1,5 @@
 //! Arrays in memory that are assembled: from scalars, from shorter arrays, or from the limbs of a value.
 
-use super::lanes::ty;
 use super::{Emitter, offset};
 use crate::engine::layout::Place;
 use crate::engine::program::{Kind, ValueId};
@@ -50,8 +49,9 @@ impl Emitter<'_, '_> {
     /// Copies an array with the same element size, in whole vectors, to the lanes of another one from `first` on.
     fn copy_row(&mut self, from: Place, to: Place, first: u32) {
         let base = self.base(from);
-        for at in (0..from.lanes as usize * from.bytes()).step_by(16) {
-            let vector = self.builder.load(ty(from.integer()), base, offset(from.offset + at));
+        for at in (0..from.lanes as usize * from.bytes()).step_by(self.builder.vector_bits() as usize / 8) {
+            let ty = self.builder.vector(from.integer());
+            let vector = self.builder.load(ty, base, offset(from.offset + at));
             self.builder.store(vector, self.state, offset(to.lane(first) + at));
         }
     }

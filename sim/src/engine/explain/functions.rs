@@ -45,7 +45,7 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
     let (special, became) = Maker::new(program).hold(&held).edge(&[clock]);
     all.push((Pass::Hold, text(program, &special, &Names::of(program).renamed(&became))));
 
-    let strips = StripSizes::of(program);
+    let strips = StripSizes::of(program, program.passes.target.vector());
     let (memories, _banks) = bank::banks(program, &strips);
     let mut layout = Layout::new(strips.clone());
     let (places, _apart) = units::places(program, &mut layout);
@@ -240,7 +240,7 @@ impl Emitted<'_> {
         let notes = Notes { state: &state, address: &memory };
         let mut out = String::new();
         for (number, steps) in pieces.iter().enumerate() {
-            let mut builder = Builder::new();
+            let mut builder = Builder::new(self.strips.vector());
             let [state, ..] = strips::Program::PARAMETERS;
             let mut emitter = Emitter::new(function, plan, addresses, memories, strips, &mut builder, state);
             emitter.steps(steps);

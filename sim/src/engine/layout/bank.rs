@@ -130,7 +130,7 @@ mod tests {
         let design = elaborate(&Memories).unwrap();
         let banked = |passes: &Passes| {
             let program = compile(&design, passes);
-            let (memories, banks) = banks(&program, &StripSizes::of(&program));
+            let (memories, banks) = banks(&program, &StripSizes::of(&program, 128));
             (memories.iter().map(|at| (at.bank, at.first)).collect::<Vec<_>>(), banks.len())
         };
         let (places, count) = banked(&Passes::default());

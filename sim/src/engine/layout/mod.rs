@@ -21,10 +21,6 @@ use crate::engine::layout::strip_sizes::StripSizes;
 use crate::engine::strips::{Base, Extent, Surroundings, Touched};
 use store::is_mask;
 
-/// The least number of bytes before and after an array of lanes that code may access: the largest strip of the widest
-/// element.
-const GUARD: usize = 128;
-
 /// The place of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
@@ -72,7 +68,7 @@ pub(super) fn element(width: u32) -> u32 {
 pub(super) fn storage(strips: &StripSizes, lanes: u32, width: u32) -> u32 {
     match lanes {
         1 => limbs_for(width) as u32 * 64,
-        _ => element(width).max(128 / strips.strip(lanes)),
+        _ => element(width).max(strips.vector() / strips.strip(lanes)),
     }
 }
 
@@ -140,7 +136,13 @@ impl Layout {
 
     /// Aligns the next place, so that the same places after two such calls have the same relative offsets.
     pub fn align(&mut self) {
-        self.size = self.size.next_multiple_of(GUARD);
+        self.size = self.size.next_multiple_of(self.guard());
+    }
+
+    /// The least number of bytes before and after an array of lanes that code may access: the largest strip of the
+    /// widest element. It has as many bytes as a vector has bits.
+    fn guard(&self) -> usize {
+        self.strips.vector() as usize
     }
 
     /// A place for a value of this shape.
@@ -152,10 +154,11 @@ impl Layout {
             return self.take(place.offset, place);
         }
         let (strip, reach) = (self.strips.strip(lanes), self.strips.reach(lanes));
-        let guard = ((strip + reach) as usize * element as usize / 8).next_multiple_of(GUARD);
-        let offset = self.size.next_multiple_of(GUARD) + guard;
+        let least = self.guard();
+        let guard = ((strip + reach) as usize * element as usize / 8).next_multiple_of(least);
+        let offset = self.size.next_multiple_of(least) + guard;
         let place = Place { offset, element, lanes, width, moves: false };
-        self.size = (place.lane(lanes) + guard).next_multiple_of(GUARD);
+        self.size = (place.lane(lanes) + guard).next_multiple_of(least);
         self.take(offset - guard, place)
     }
 }
@@ -236,7 +239,8 @@ impl Words {
     ) -> Vec<(usize, Words)> {
         let word = |width: u32| (if together { storage(strips, lanes, width) } else { element(width) }) as usize / 8;
         let padded = lanes.next_multiple_of(strips.strip(lanes)) as usize;
-        let row = |width: u32| if together { (padded * word(width)).next_multiple_of(16) } else { word(width) };
+        let vector = strips.vector() as usize / 8;
+        let row = |width: u32| if together { (padded * word(width)).next_multiple_of(vector) } else { word(width) };
         // The largest first, so that all are aligned.
         let mut order: Vec<usize> = (0..widths.len()).collect();
         order.sort_by_key(|&i| std::cmp::Reverse(row(widths[i])));

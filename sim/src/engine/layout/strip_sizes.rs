@@ -1,7 +1,7 @@
 //! The number of lanes that a kernel processes at a time.
 //!
-//! A vector of 128 bits contains as many elements of one size as fit; smaller values are widened to fill it, larger
-//! ones take several vectors. Strips of 4 suit 32-bit values, strips of 16 suit 8-bit values.
+//! A vector contains as many elements of one size as fit; smaller values are widened to fill it, larger ones take
+//! several vectors. With vectors of 128 bits, strips of 4 suit 32-bit values, and strips of 16 suit 8-bit values.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,14 @@ use tilewright_circuit::ir::Affine;
 use crate::engine::layout::element;
 use crate::engine::program::{Axis, Cell, Kind, Program};
 
-/// For each lane count: the strip of a kernel, 4, 8 or 16 lanes, and the distance of the furthest neighbour that it
-/// reads.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct StripSizes(BTreeMap<u32, Strip>);
+/// For each lane count: the strip of a kernel, and the distance of the furthest neighbour that it reads. A strip has as
+/// many lanes as a vector has integers of 8, 16 or 32 bits.
+#[derive(Debug, Clone)]
+pub(crate) struct StripSizes {
+    /// Bits of a vector.
+    vector: u32,
+    strips: BTreeMap<u32, Strip>,
+}
 
 #[derive(Debug, Clone, Copy)]
 struct Strip {
@@ -22,25 +26,37 @@ struct Strip {
     reach: u32,
 }
 
+impl Default for StripSizes {
+    fn default() -> Self {
+        StripSizes { vector: 128, strips: BTreeMap::new() }
+    }
+}
+
 impl StripSizes {
-    /// Strips for the values of a program.
-    pub fn of(program: &Program) -> StripSizes {
+    /// Strips for the values of a program, in vectors of so many bits.
+    pub fn of(program: &Program, vector: u32) -> StripSizes {
         let mut arrays: BTreeMap<u32, Array> = BTreeMap::new();
         for (_, cell) in program.circuit.cells().filter(|(_, cell)| cell.lanes > 1) {
             arrays.entry(cell.lanes).or_default().add(cell);
         }
-        let strip = |(lanes, array): (u32, Array)| (lanes, Strip { size: array.strip(lanes), reach: array.reach });
-        StripSizes(arrays.into_iter().map(strip).collect())
+        let strip = |array: Array, lanes| Strip { size: array.strip(lanes, vector), reach: array.reach };
+        let strips = arrays.into_iter().map(|(lanes, array)| (lanes, strip(array, lanes))).collect();
+        StripSizes { vector, strips }
+    }
+
+    /// Bits of a vector.
+    pub fn vector(&self) -> u32 {
+        self.vector
     }
 
     /// The strip of arrays with this number of lanes.
     pub fn strip(&self, lanes: u32) -> u32 {
-        self.0.get(&lanes).map_or(4, |strip| strip.size)
+        self.strips.get(&lanes).map_or(self.vector / 32, |strip| strip.size)
     }
 
     /// The number of lanes before and after such an array that code may read.
     pub fn reach(&self, lanes: u32) -> u32 {
-        self.0.get(&lanes).map_or(0, |strip| strip.reach)
+        self.strips.get(&lanes).map_or(0, |strip| strip.reach)
     }
 }
 
@@ -76,15 +92,16 @@ impl Array {
     }
 
     /// The size of a strip: what suits most values, or a smaller size that divides the groups.
-    fn strip(&self, lanes: u32) -> u32 {
+    fn strip(&self, lanes: u32, vector: u32) -> u32 {
         let [bytes, words, doubles, quads] = self.elements;
+        let filling @ [of_bytes, of_words, of_doubles] = [8, 16, 32].map(|element| vector / element);
         let most = match () {
-            () if bytes > words + 2 * (doubles + quads) => 16,
-            () if bytes + words > 2 * (doubles + quads) => 8,
-            () => 4,
+            () if bytes > words + 2 * (doubles + quads) => of_bytes,
+            () if bytes + words > 2 * (doubles + quads) => of_words,
+            () => of_doubles,
         };
-        let most = most.min(lanes.next_power_of_two()).max(4);
-        let sizes = [16, 8, 4].into_iter().filter(|&size| size <= most);
+        let most = most.min(lanes.next_power_of_two()).max(of_doubles);
+        let sizes = filling.into_iter().filter(|&size| size <= most);
         let divides = |size: &u32| self.groups.iter().all(|group| group.is_multiple_of(*size));
         sizes.into_iter().find(divides).unwrap_or(most)
     }
@@ -102,7 +119,7 @@ mod tests {
         let mut array = Array::default();
         widths.iter().for_each(|&width| array.add(&Cell { kind: Kind::Const(Bits::zero(width)), lanes, width }));
         array.add(&Cell { kind: Kind::Broadcast { of: ValueId(0), axis }, lanes, width: 1 });
-        array.strip(lanes)
+        array.strip(lanes, 128)
     }
 
     #[test]
@@ -119,5 +136,13 @@ mod tests {
     fn a_strip_is_in_one_group() {
         assert_eq!([16, 24, 20, 18].map(|group| strip(10 * group, &[8], Axis::last(group))), [16, 8, 4, 16]);
         assert_eq!([16, 24, 20].map(|inner| strip(10 * inner, &[8], Axis { count: 10, inner })), [16, 8, 4]);
+    }
+
+    #[test]
+    fn a_strip_fills_a_vector_of_the_target() {
+        let array = Array { elements: [1, 0, 0, 0], ..Array::default() };
+        assert_eq!([64, 128, 256].map(|vector| array.strip(100, vector)), [8, 16, 32]);
+        let array = Array { elements: [0, 0, 1, 0], ..Array::default() };
+        assert_eq!([64, 128, 256].map(|vector| array.strip(2, vector)), [2, 4, 8]);
     }
 }

@@ -3,11 +3,11 @@
 use super::Plan;
 use super::sequence::{self, Step};
 use super::{branch, quiet};
-use crate::engine::Passes;
 use crate::engine::function::{Became, Function};
 use crate::engine::function::{demands, lower};
 use crate::engine::layout::memory_at::MemoryAt;
 use crate::engine::layout::strip_sizes::StripSizes;
+use crate::engine::{Passes, Target};
 
 /// A function in sequence.
 pub(crate) struct Planned {
@@ -40,7 +40,7 @@ pub(crate) fn plan(
     let far: Vec<bool> = memories.iter().map(|at| !at.words.together() && at.words.size > passes.near).collect();
     let mut plan = Plan::new(&function, &far, passes.postpone);
     look(Seen::Planned(&function, &plan));
-    if passes.branch && !passes.evaluated {
+    if passes.branch && passes.target != Target::Functions {
         quiet::quiet(&mut function, &mut plan, strips);
         branch::branch(&mut function, &mut plan, strips, passes);
     }

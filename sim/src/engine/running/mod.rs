@@ -32,6 +32,7 @@ use crate::engine::layout::store::Store;
 use crate::engine::layout::strip_sizes::StripSizes;
 use crate::engine::layout::{Layout, Place};
 use crate::engine::pack::{self, Packed, Places};
+use crate::engine::passes::Target;
 use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::start::State;
 use crate::engine::until::Until;
@@ -160,16 +161,20 @@ impl Compiled {
     ///
     /// Code cannot be generated for this machine.
     pub fn new(program: Arc<Program>, beginning: &Beginning, code: &Arc<SharedCode>) -> Result<Compiled, Unsupported> {
-        let jit = Jit::new()?.sharing(code.clone());
+        let jit = match program.passes.target {
+            Target::Strips { vector } => Jit::new()?.evaluating(vector),
+            Target::Code | Target::Functions => Jit::new()?,
+        };
+        let jit = jit.sharing(code.clone());
         let (declared, Fields { program, parts }) = (&program, fields::split(&program));
         let Packed { program, places: bits } = pack::pack(program);
         demands::check(&program);
         let program = Arc::new(program);
-        let mut layout = Layout::new(StripSizes::of(&program));
+        let mut layout = Layout::new(StripSizes::of(&program, program.passes.target.vector()));
         let (places, apart) = units::places(&program, &mut layout);
         layout.end_of_state();
         // Generated code skips units.
-        let apart = apart.filter(|_| !program.passes.evaluated);
+        let apart = apart.filter(|_| program.passes.target != Target::Functions);
         let unchecked = layout.place(1, 1);
         let (mut memories, banks) = bank::banks(&program, &layout.strips);
         if code.is_shared() {

@@ -3,7 +3,6 @@
 use super::Compiled;
 use super::units::Guard;
 use super::versions::Versions;
-use crate::engine::Passes;
 use crate::engine::cranelift::Code;
 use crate::engine::emit::versions::TableAt;
 use crate::engine::emit::{Addresses, Emitter, offset};
@@ -17,6 +16,7 @@ use crate::engine::plan::planned::{self, Planned};
 use crate::engine::plan::sequence::Step;
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::{Builder, Loop, Region, Type, Value};
+use crate::engine::{Passes, Target};
 
 /// A function in sequence, and the places of its values.
 pub(super) struct Prepared {
@@ -161,7 +161,7 @@ impl Compiled {
     }
 
     fn compile_times(&mut self, parts: &[Prepared], times: Times) -> Code {
-        if self.program.passes.evaluated {
+        if self.program.passes.target == Target::Functions {
             return self.evaluate(parts, times);
         }
         let memories = std::mem::take(&mut self.memories);

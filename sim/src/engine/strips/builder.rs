@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::operation::{Binary, Comparison, Load, Operation, Unary};
 use super::program::{Loop, Program, Region, Statement};
-use super::value::{Type, Value};
+use super::value::{Bytes, Type, Value};
 
 /// Objects that programs refer to by address.
 pub(in crate::engine) type Kept = Vec<Arc<dyn Any + Send + Sync>>;
@@ -13,6 +13,8 @@ pub(in crate::engine) type Kept = Vec<Arc<dyn Any + Send + Sync>>;
 /// A strip program that is being written. Statements go to the end of the innermost open region.
 pub(in crate::engine) struct Builder {
     program: Program,
+    /// Bits of a vector.
+    vector: u32,
     /// The regions around the innermost one.
     outer: Vec<Region>,
     /// The limbs of scratch memory in use.
@@ -22,17 +24,27 @@ pub(in crate::engine) struct Builder {
 }
 
 impl Builder {
-    /// An empty program.
-    pub fn new() -> Self {
+    /// An empty program for a target with vectors of so many bits.
+    pub fn new(vector: u32) -> Self {
         let values = Program::PARAMETERS.map(|_| (Operation::Parameter, Type::I64)).to_vec();
         let program = Program { values, body: Region::new(), scratch: 0, stack_of_called: 0 };
-        Builder { program, outer: Vec::new(), taken: 0, kept: Kept::new() }
+        Builder { program, vector, outer: Vec::new(), taken: 0, kept: Kept::new() }
     }
 
     /// The program, without what it does not use, and the objects that it refers to.
     pub fn finish(self) -> (Program, Kept) {
         debug_assert!(self.outer.is_empty(), "a region is open");
         (self.program.without_unused(), self.kept)
+    }
+
+    /// Bits of a vector.
+    pub fn vector_bits(&self) -> u32 {
+        self.vector
+    }
+
+    /// The type of vectors of integers that have `element` bits each.
+    pub fn vector(&self, element: u32) -> Type {
+        Type::vector(element, self.vector)
     }
 
     /// The type of a value.
@@ -82,9 +94,11 @@ impl Builder {
         self.value(Operation::Address(address), Type::ADDRESS)
     }
 
-    /// A vector of these bytes.
-    pub fn bytes(&mut self, ty: Type, bytes: [u8; 16]) -> Value {
-        self.value(Operation::Bytes(bytes), ty)
+    /// A vector whose lanes have these numbers.
+    pub fn numbers(&mut self, ty: Type, lane: impl Fn(u32) -> u64) -> Value {
+        let size = ty.element() as usize / 8;
+        let byte = |i: usize| lane((i / size) as u32).to_le_bytes()[i % size];
+        self.value(Operation::Bytes(bytes(ty, byte)), ty)
     }
 
     /// An operation on one value, with a result of another type.
@@ -124,9 +138,10 @@ impl Builder {
         self.value(Operation::Blend(mask, x, y), ty)
     }
 
-    /// Bytes chosen of two vectors.
-    pub fn shuffle(&mut self, x: Value, y: Value, bytes: [u8; 16]) -> Value {
-        self.value(Operation::Shuffle(x, y, bytes), Type::I8X16)
+    /// Bytes chosen of two vectors, one after the other; `byte` gives the number of each.
+    pub fn shuffle(&mut self, x: Value, y: Value, byte: impl Fn(usize) -> usize) -> Value {
+        let ty = self.type_of(x);
+        self.value(Operation::Shuffle(x, y, bytes(ty, |i| byte(i) as u8)), ty)
     }
 
     /// A number of a vector.
@@ -260,6 +275,11 @@ impl Builder {
     }
 }
 
+/// As many bytes as a type has.
+fn bytes(ty: Type, byte: impl Fn(usize) -> u8) -> Bytes {
+    std::array::from_fn(|i| if i < ty.bytes() as usize { byte(i) } else { 0 })
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::text::Notes;
@@ -267,14 +287,14 @@ mod tests {
 
     #[test]
     fn what_is_known_costs_nothing() {
-        let mut b = Builder::new();
+        let mut b = Builder::new(128);
         let [state, argument, _] = Program::PARAMETERS;
         let byte = b.load(Type::I8, state, 8);
         let wide = b.zero_extend(Type::I64, byte);
         let (narrow, other) = (b.truncate(Type::I8, wide), b.truncate(Type::I32, wide));
         assert_eq!((narrow, other == wide), (byte, false));
         for (number, stored) in [(0x1ff, "store i8 [state + 24] 255"), (0x200, "store i8 [state + 16] 0")] {
-            let mut b = Builder::new();
+            let mut b = Builder::new(128);
             let known = b.constant(Type::I64, number);
             let flag = b.truncate(Type::I8, known);
             let regions = [24, 16].map(|offset| {

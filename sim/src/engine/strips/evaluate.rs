@@ -2,10 +2,7 @@
 
 use super::operation::{Binary, Comparison, Load, Operation, Unary};
 use super::program::{Loop, Program, Region, Statement};
-use super::value::{Type, Value};
-
-/// The bytes of a value; those above its size are zero.
-type Bytes = [u8; 16];
+use super::value::{Bytes, Type, Value};
 
 /// A memory that a program may access: its address, and its bytes.
 pub(in crate::engine) struct Memory<'m> {
@@ -13,16 +10,51 @@ pub(in crate::engine) struct Memory<'m> {
     pub bytes: &'m mut [u8],
 }
 
-/// What a program asks of its surroundings: a call of the function at an address with these numbers.
-pub(in crate::engine) type Called<'c> = &'c mut dyn FnMut(u64, &[u64]) -> u64;
+/// The memories that a program may access.
+pub(in crate::engine) trait Places {
+    /// So many bytes at an address.
+    ///
+    /// # Errors
+    /// They are not in one of the memories.
+    fn place(&mut self, at: u64, size: usize) -> Result<&mut [u8], Wild>;
+}
+
+impl Places for [Memory<'_>] {
+    fn place(&mut self, at: u64, size: usize) -> Result<&mut [u8], Wild> {
+        let within = |memory: &mut Memory| {
+            let first = usize::try_from(at.checked_sub(memory.address)?).ok()?;
+            (first.checked_add(size)? <= memory.bytes.len()).then_some(first)
+        };
+        let found = self.iter_mut().enumerate().find_map(|(index, memory)| Some((index, within(memory)?)));
+        let (index, first) = found.ok_or(Wild(at))?;
+        Ok(&mut self[index].bytes[first..first + size])
+    }
+}
+
+/// The functions that a program may call.
+pub(in crate::engine) trait Calls {
+    /// Calls the function at an address with these numbers; what it returns is only used if `returns`.
+    fn call(&mut self, function: u64, arguments: &[u64], returns: bool) -> u64;
+}
+
+impl<F: FnMut(u64, &[u64]) -> u64> Calls for F {
+    fn call(&mut self, function: u64, arguments: &[u64], _returns: bool) -> u64 {
+        self(function, arguments)
+    }
+}
 
 impl Program {
     /// Runs it with these parameters; returns its result.
     ///
     /// # Errors
     /// It accesses what is in none of the memories: the address.
-    pub fn evaluate(&self, parameters: [u64; 3], memories: &mut [Memory], called: Called) -> Result<u64, Wild> {
-        let mut run = Run { program: self, values: vec![[0; 16]; self.values.len()], memories, called };
+    pub fn evaluate(
+        &self,
+        parameters: [u64; 3],
+        memories: &mut (impl Places + ?Sized),
+        called: &mut impl Calls,
+    ) -> Result<u64, Wild> {
+        let mut run = Run { program: self, values: vec![Bytes::default(); self.values.len()], memories, called };
         for (value, number) in Program::PARAMETERS.into_iter().zip(parameters) {
             run.values[value.index()] = of_number(number);
         }
@@ -44,14 +76,14 @@ enum Next {
     Returned(u64),
 }
 
-struct Run<'p, 'm, 'c> {
+struct Run<'p, P: ?Sized, C> {
     program: &'p Program,
     values: Vec<Bytes>,
-    memories: &'p mut [Memory<'m>],
-    called: Called<'c>,
+    memories: &'p mut P,
+    called: &'p mut C,
 }
 
-impl Run<'_, '_, '_> {
+impl<P: Places + ?Sized, C: Calls> Run<'_, P, C> {
     fn ty(&self, value: Value) -> Type {
         self.program.type_of(value)
     }
@@ -88,7 +120,7 @@ impl Run<'_, '_, '_> {
                 let (operation, ty) = &self.program.values[value.index()];
                 self.values[value.index()] = self.operation(operation, *ty)?;
             }
-            Statement::Call { function, arguments } => _ = self.call(*function, arguments),
+            Statement::Call { function, arguments } => _ = self.call(*function, arguments, false),
             Statement::Store { value, address, offset, .. } => {
                 let (bytes, size) = (self.of(*value), size(self.ty(*value)));
                 self.place(*address, *offset, size)?.copy_from_slice(&bytes[..size]);
@@ -131,22 +163,16 @@ impl Run<'_, '_, '_> {
         }
     }
 
-    fn call(&mut self, function: Value, arguments: &[Value]) -> u64 {
+    fn call(&mut self, function: Value, arguments: &[Value], returns: bool) -> u64 {
         let arguments: Vec<u64> = arguments.iter().map(|value| self.number(*value)).collect();
         let function = self.number(function);
-        (self.called)(function, &arguments)
+        self.called.call(function, &arguments, returns)
     }
 
     /// The bytes at an address and offset.
     fn place(&mut self, address: Value, offset: i32, size: usize) -> Result<&mut [u8], Wild> {
         let at = self.number(address).wrapping_add_signed(offset.into());
-        let within = |memory: &mut Memory| {
-            let first = usize::try_from(at.checked_sub(memory.address)?).ok()?;
-            (first.checked_add(size)? <= memory.bytes.len()).then_some(first)
-        };
-        let found = self.memories.iter_mut().enumerate().find_map(|(index, memory)| Some((index, within(memory)?)));
-        let (index, first) = found.ok_or(Wild(at))?;
-        Ok(&mut self.memories[index].bytes[first..first + size])
+        self.memories.place(at, size)
     }
 
     fn operation(&mut self, operation: &Operation, ty: Type) -> Result<Bytes, Wild> {
@@ -170,8 +196,9 @@ impl Run<'_, '_, '_> {
                 std::array::from_fn(|i| x[i] & mask[i] | y[i] & !mask[i])
             }
             Operation::Shuffle(x, y, bytes) => {
-                let both: Vec<u8> = [x, y].into_iter().flat_map(|value| self.of(*value)).collect();
-                bytes.map(|byte| both[usize::from(byte)])
+                let [x, y] = [x, y].map(|value| self.of(*value));
+                let both = [&x[..size(ty)], &y[..size(ty)]].concat();
+                lanes(ty, |i| both[usize::from(bytes[i as usize])].into())
             }
             Operation::Lane(of, index) => of_number(lane(self.ty(*of), self.of(*of), u32::from(*index))),
             Operation::WithLane(vector, number, index) => {
@@ -179,18 +206,17 @@ impl Run<'_, '_, '_> {
                 lanes(ty, |i| if i == u32::from(*index) { number } else { lane(ty, vector, i) })
             }
             Operation::Load { load: Load::Whole, address, offset, .. } => {
-                let mut bytes = [0; 16];
-                let size = size(ty);
+                let (mut bytes, size) = (Bytes::default(), size(ty));
                 bytes[..size].copy_from_slice(self.place(*address, *offset, size)?);
                 bytes
             }
             Operation::Load { load, address, offset, .. } => {
-                let mut bytes = [0; 16];
-                bytes[..8].copy_from_slice(self.place(*address, *offset, 8)?);
+                let (mut bytes, half) = (Bytes::default(), size(ty) / 2);
+                bytes[..half].copy_from_slice(self.place(*address, *offset, half)?);
                 let narrow = ty.narrowed();
                 lanes(ty, |i| extended(*load == Load::SignExtended, narrow.element(), lane(narrow, bytes, i)))
             }
-            Operation::Call(function, arguments) => of_number(self.call(*function, arguments)),
+            Operation::Call(function, arguments) => of_number(self.call(*function, arguments, true)),
         })
     }
 
@@ -205,7 +231,7 @@ impl Run<'_, '_, '_> {
             Unary::CountOnes => each(&|number| number.count_ones().into()),
             Unary::ZeroExtend | Unary::Truncate => of_number(number(lanes(ty, |_| number(bytes)))),
             Unary::SignExtend => each(&|number| extended(true, from.element(), number)),
-            Unary::Cast => bytes,
+            Unary::Cast => lanes(ty, |i| lane(ty, bytes, i)),
             Unary::Splat => lanes(ty, |_| number(bytes)),
             Unary::Lowest => lanes(ty, |i| if i == 0 { number(bytes) } else { 0 }),
             Unary::WidenLow { signed } => widened(signed, 0),
@@ -214,7 +240,7 @@ impl Run<'_, '_, '_> {
                 let bit = |i: u32| lane(from, bytes, i) >> (from.element() - 1) << i;
                 of_number((0..from.lanes()).map(bit).sum())
             }
-            Unary::AnyBit => of_number(u64::from(bytes != [0; 16])),
+            Unary::AnyBit => of_number(u64::from(bytes != Bytes::default())),
             Unary::ToFloat => each(&|number| (number as i32 as f32).to_bits().into()),
             Unary::ToInteger => each(&|number| (f32::from_bits(number as u32) as u32).into()),
         }
@@ -248,7 +274,9 @@ fn binary_of(binary: Binary, ty: Type, (left, p): (Type, Bytes), (right, q): (Ty
             let limit = 1i64 << (element - u32::from(signed));
             number.clamp(if signed { -limit } else { 0 }, limit - 1) as u64
         }),
-        Binary::Swizzle | Binary::LookUp => q.map(|byte| if byte < 16 { p[usize::from(byte)] } else { 0 }),
+        Binary::Swizzle | Binary::LookUp => {
+            lanes(ty, |i| if q[i as usize] < 16 { p[usize::from(q[i as usize])].into() } else { 0 })
+        }
         Binary::MulFloat => each(&|x, y| (f32::from_bits(x as u32) * f32::from_bits(y as u32)).to_bits().into()),
     }
 }
@@ -277,7 +305,7 @@ fn extended(signed: bool, bits: u32, number: u64) -> u64 {
 
 /// Bytes of a value.
 fn size(ty: Type) -> usize {
-    (ty.element() * ty.lanes()) as usize / 8
+    ty.bytes() as usize
 }
 
 /// The number in a lane.
@@ -289,7 +317,7 @@ fn lane(ty: Type, bytes: Bytes, index: u32) -> u64 {
 
 /// A value of these numbers, each cut to its size.
 fn lanes(ty: Type, number: impl Fn(u32) -> u64) -> Bytes {
-    let (mut bytes, size) = ([0; 16], ty.element() as usize / 8);
+    let (mut bytes, size) = (Bytes::default(), ty.element() as usize / 8);
     for (index, bytes) in (0..ty.lanes()).zip(bytes.chunks_mut(size)) {
         bytes.copy_from_slice(&number(index).to_le_bytes()[..size]);
     }

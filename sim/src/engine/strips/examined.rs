@@ -143,7 +143,8 @@ impl Program {
         mutant
     }
 
-    /// Whether each wider number ends at another mask or minimum, or beside bits that are as high as its own.
+    /// Whether each wider number ends at another mask or minimum, at a remainder, or beside bits that are as high as its
+    /// own.
     fn is_bounded(&self, slice: &[Value], is_wider: impl Fn(Value) -> bool) -> bool {
         let ends = |value: &&Value| {
             let mut takes = false;
@@ -152,7 +153,8 @@ impl Program {
         };
         let bounds = |value: &Value| {
             let operation = &self.values[value.index()].0;
-            matches!(operation, Operation::Binary(Binary::Min | Binary::And | Binary::Or, ..))
+            // A difference is bounded as a remainder alone.
+            matches!(operation, Operation::Binary(Binary::Min | Binary::And | Binary::Or | Binary::Sub, ..))
         };
         let mut all = slice.iter().filter(ends).peekable();
         all.peek().is_some() && all.all(bounds)

@@ -26,8 +26,6 @@ binary! {
     shr is Shr: "A shift to the right with zeros.",
     sar is Sar: "A shift to the right with the sign.",
     min is Min: "The lesser one of unsigned integers.",
-    swizzle is Swizzle: "Bytes of `x` by the numbers in `y`; zero for numbers from 16 on.",
-    look_up is LookUp: "Bytes of `x` by the numbers in `y`, which are below 16.",
     mul_float is MulFloat: "The product of floats.",
 }
 
@@ -100,9 +98,21 @@ impl Builder {
         }
     }
 
-    /// The same 128 bits in another type.
+    /// The same bits as another vector; the lowest ones, if that has fewer.
     pub fn cast(&mut self, ty: Type, of: Value) -> Value {
         if self.type_of(of) == ty { of } else { self.to(Unary::Cast, ty, of) }
+    }
+
+    /// Bytes of a table by the numbers in a vector; zero for numbers from 16 on.
+    pub fn swizzle(&mut self, table: Value, numbers: Value) -> Value {
+        let ty = self.type_of(numbers);
+        self.value(Operation::Binary(Binary::Swizzle, table, numbers), ty)
+    }
+
+    /// Bytes of a table by the numbers in a vector, which are below 16.
+    pub fn look_up(&mut self, table: Value, numbers: Value) -> Value {
+        let ty = self.type_of(numbers);
+        self.value(Operation::Binary(Binary::LookUp, table, numbers), ty)
     }
 
     /// Whether any bit of a vector is 1.

@@ -1,7 +1,7 @@
 //! The strip program: what a function does, instruction by instruction, before it is machine code.
 //!
-//! It is straight-line code in regions: loops, choices and what runs only if a flag is 1. Loads and stores name an address and an offset. The machine
-//! that runs it is described elsewhere; here vectors have 128 bits.
+//! It is straight-line code in regions: loops, choices and what runs only if a flag is 1. Loads and stores name an address and an offset. Its
+//! target says how many bits a vector has.
 
 mod bounds;
 mod builder;
@@ -27,6 +27,7 @@ pub(super) use builder::{Builder, Kept};
 pub(super) use commits::Touched;
 #[cfg(test)]
 pub(super) use evaluate::Memory;
+pub(super) use evaluate::{Calls, Places, Wild};
 pub use examined::Examined;
 pub(super) use operation::{Binary, Comparison, Load, Operation, Unary};
 pub(super) use program::{Loop, Program, Region, Statement};

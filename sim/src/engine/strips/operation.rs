@@ -1,6 +1,6 @@
 //! What defines a value.
 
-use super::value::Value;
+use super::value::{Bytes, Value};
 
 /// The definition of a value. Operands have the type of the result where nothing else is said.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -12,7 +12,7 @@ pub(in crate::engine) enum Operation {
     /// The address of a memory, a function or another object.
     Address(usize),
     /// The bytes of a vector, lowest lane first.
-    Bytes([u8; 16]),
+    Bytes(Bytes),
     Unary(Unary, Value),
     Binary(Binary, Value, Value),
     /// Integers compared: 1 or 0 of 8 bits, or in each lane of vectors all ones or zeros.
@@ -21,8 +21,8 @@ pub(in crate::engine) enum Operation {
     Select(Value, Value, Value),
     /// Each bit of the second operand where the mask, the first one, is 1, else of the third. All bits of a byte of the mask are equal.
     Blend(Value, Value, Value),
-    /// Bytes chosen of two vectors: below 16 of the first.
-    Shuffle(Value, Value, [u8; 16]),
+    /// Bytes chosen of two vectors, one after the other; as many as a vector has.
+    Shuffle(Value, Value, Bytes),
     /// A number of a vector.
     Lane(Value, u8),
     /// A vector with another number in a lane.
@@ -95,7 +95,7 @@ pub(in crate::engine) enum Unary {
     SignExtend,
     /// The lower bits of an integer.
     Truncate,
-    /// The same 128 bits in another type.
+    /// The same bits as another vector; the lowest ones, if that has fewer.
     Cast,
     /// An integer in all lanes.
     Splat,
@@ -141,7 +141,7 @@ pub(in crate::engine) enum Binary {
     Narrow {
         signed: bool,
     },
-    /// Bytes of the first operand by the numbers in the second; zero for numbers from 16 on.
+    /// Bytes of the first operand, a table, by the numbers in the second; zero for numbers from 16 on.
     Swizzle,
     /// The same for numbers that are all below 16.
     LookUp,

@@ -29,7 +29,7 @@ impl Program {
             }
         }
         let names = ["state", "argument", "scratch"].map(str::to_owned).into_iter().zip(Program::PARAMETERS).collect();
-        let mut parser = Parser { b: Builder::new(), lines, at: 0, names, addresses };
+        let mut parser = Parser { b: Builder::new(128), lines, at: 0, names, addresses };
         parser.region(0)?;
         match parser.lines.get(parser.at) {
             Some(line) => Err(line.wrong(
@@ -231,6 +231,7 @@ impl Parser<'_> {
             let (left, right) = match binary {
                 Binary::Shl | Binary::Shr | Binary::Sar => (ty, Type::I64),
                 Binary::Narrow { .. } if ty.is_vector() => (ty.widened(), ty.widened()),
+                Binary::Swizzle | Binary::LookUp => (Type::TABLE, ty),
                 _ => (ty, ty),
             };
             return Ok(Operation::Binary(binary, self.value(line, left)?, self.value(line, right)?));
@@ -245,8 +246,13 @@ impl Parser<'_> {
             "shuffle" => {
                 let (x, y) = (self.value(line, ty)?, self.value(line, ty)?);
                 line.skip("by")?;
-                let bytes: Result<[u8; 16], _> = line.numbers::<u8>()?.try_into();
-                Operation::Shuffle(x, y, bytes.map_err(|_| line.wrong("chooses other than 16 bytes: write 16"))?)
+                let (numbers, size) = (line.numbers::<u8>()?, ty.bytes() as usize);
+                if numbers.len() != size {
+                    return Err(line.wrong(format_args!("chooses other than {size} bytes: write {size}")));
+                }
+                let mut bytes = [0; _];
+                bytes[..size].copy_from_slice(&numbers);
+                Operation::Shuffle(x, y, bytes)
             }
             "lane" => {
                 let lane = line.number()?;
@@ -330,13 +336,12 @@ impl Parser<'_> {
         let numbers = lanes.iter().map(number).collect::<Option<Vec<u64>>>();
         let fits = |numbers: &Vec<u64>| {
             ty.is_vector()
-                && [1, 16 / size].contains(&numbers.len())
+                && [1, ty.lanes() as usize].contains(&numbers.len())
                 && lanes.iter().all(|lane| lane.len() == 2 + 2 * size)
         };
         let numbers = numbers.filter(fits).ok_or_else(|| {
             line.wrong(format_args!("has a constant that is no {ty}: write `0x` and {} digits for each lane", 2 * size))
         })?;
-        let bytes = |lane: usize| numbers[lane % numbers.len()].to_le_bytes();
-        Ok(self.b.bytes(ty, std::array::from_fn(|byte| bytes(byte / size)[byte % size])))
+        Ok(self.b.numbers(ty, |lane| numbers[lane as usize % numbers.len()]))
     }
 }

@@ -47,7 +47,7 @@ impl Program {
         let mut memories: Vec<Memory> =
             filled.iter_mut().map(|(address, bytes)| Memory { address: *address, bytes }).collect();
         let argument = if has_units { 0 } else { 1 };
-        self.evaluate([STATE, argument, SCRATCH], &mut memories, &mut |_, _| 1)
+        self.evaluate([STATE, argument, SCRATCH], memories.as_mut_slice(), &mut |_: u64, _: &[u64]| 1)
     }
 }
 

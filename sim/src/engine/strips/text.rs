@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use super::names::{BINARIES, COMPARISONS, LOADS, STORES, UNARIES, name};
 use super::operation::{Binary, Operation};
 use super::program::{Loop, Program, Statement};
-use super::value::{Type, Value};
+use super::value::{Bytes, Type, Value};
 
 /// What is at places that a program accesses; it ends the line of a load or a store.
 pub(in crate::engine) struct Notes<'n> {
@@ -186,7 +186,8 @@ impl Text<'_> {
             }
             Operation::Blend(mask, x, y) => (format!("blend {} {} {}", self.of(*mask), self.of(*x), self.of(*y)), None),
             Operation::Shuffle(x, y, bytes) => {
-                let bytes: Vec<String> = bytes.iter().map(ToString::to_string).collect();
+                let size = self.program.type_of(*x).bytes() as usize;
+                let bytes: Vec<String> = bytes[..size].iter().map(ToString::to_string).collect();
                 (format!("shuffle {} {} by {}", self.of(*x), self.of(*y), bytes.join(" ")), None)
             }
             Operation::Lane(of, lane) => {
@@ -260,8 +261,8 @@ enum Base {
 }
 
 /// The integers of a vector; one alone if all are equal.
-fn bytes_text(bytes: &[u8; 16], ty: Type) -> String {
-    let numbers: Vec<String> = bytes
+fn bytes_text(bytes: &Bytes, ty: Type) -> String {
+    let numbers: Vec<String> = bytes[..ty.bytes() as usize]
         .chunks(ty.element() as usize / 8)
         .map(|lane| lane.iter().rev().map(|byte| format!("{byte:02x}")).collect::<String>())
         .collect();

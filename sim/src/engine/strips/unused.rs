@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn only_what_is_used_remains() {
-        let mut b = Builder::new();
+        let mut b = Builder::new(128);
         let [state, argument, _] = Program::PARAMETERS;
         let (unused, start) = (b.load(Type::I64, state, 0), b.load(Type::I64, state, 8));
         let _ = b.not(unused);

@@ -191,7 +191,10 @@ impl Check<'_> {
                 self.demand(!ty.is_vector() && !ty.is_float(), value, "is a constant and no integer")
             }
             Operation::Address(_) => self.demand(ty == Type::ADDRESS, value, "is an address of another type"),
-            Operation::Bytes(_) => self.demand(ty.is_vector(), value, "has the bytes of a vector and is none"),
+            Operation::Bytes(bytes) => {
+                let are_its = ty.is_vector() && bytes[ty.bytes() as usize..].iter().all(|byte| *byte == 0);
+                self.demand(are_its, value, "has the bytes of a vector and is none")
+            }
             Operation::Unary(unary, of) => self.unary(*unary, *of, ty, value),
             Operation::Binary(binary, x, y) => self.binary(*binary, *x, *y, ty, value),
             Operation::Compare(_, x, y) => {
@@ -208,13 +211,12 @@ impl Check<'_> {
             }
             Operation::Blend(mask, x, y) => [mask, x, y].into_iter().try_for_each(|it| self.is(*it, ty)),
             Operation::Shuffle(x, y, bytes) => {
-                self.is(*x, Type::I8X16)?;
-                self.is(*y, Type::I8X16)?;
-                self.demand(
-                    ty == Type::I8X16 && bytes.iter().all(|byte| *byte < 32),
-                    value,
-                    "chooses no byte of two vectors",
-                )
+                self.is(*x, ty)?;
+                self.is(*y, ty)?;
+                let (own, above) = bytes.split_at(ty.bytes() as usize);
+                let exist =
+                    own.iter().all(|byte| i64::from(*byte) < 2 * ty.bytes()) && above.iter().all(|byte| *byte == 0);
+                self.demand(ty.is_vector() && ty.element() == 8 && exist, value, "chooses no byte of two vectors")
             }
             Operation::Lane(of, lane) => {
                 self.usable(*of)?;
@@ -228,7 +230,7 @@ impl Check<'_> {
             }
             Operation::Load { load, address, .. } => {
                 self.is(*address, Type::ADDRESS)?;
-                let is_extended = matches!(ty, Type::I16X8 | Type::I32X4);
+                let is_extended = ty.is_vector() && !ty.is_float() && matches!(ty.element(), 16 | 32);
                 self.demand(*load == Load::Whole || is_extended, value, "is loaded in a way that its type has not")
             }
             Operation::Call(function, arguments) => {
@@ -250,13 +252,13 @@ impl Check<'_> {
             Unary::CountOnes => ty == from && !ty.is_vector(),
             Unary::ZeroExtend | Unary::SignExtend => are_integers(ty, from),
             Unary::Truncate => are_integers(from, ty),
-            Unary::Cast => ty.is_vector() && from.is_vector(),
+            Unary::Cast => ty.is_vector() && from.is_vector() && ty.bits() <= from.bits(),
             Unary::Splat | Unary::Lowest => ty.is_vector() && from == ty.of_lane(),
             Unary::WidenLow { .. } | Unary::WidenHigh { .. } => from.is_vector() && ty == from.widened(),
             Unary::HighBits => from.is_vector() && ty == Type::I32,
             Unary::AnyBit => from.is_vector() && ty == Type::I8,
-            Unary::ToFloat => from == Type::I32X4 && ty == Type::F32X4,
-            Unary::ToInteger => from == Type::F32X4 && ty == Type::I32X4,
+            Unary::ToFloat => from.is_vector() && from.element() == 32 && !from.is_float() && ty == from.floats(),
+            Unary::ToInteger => ty.is_vector() && ty.element() == 32 && !ty.is_float() && from == ty.floats(),
         };
         self.demand(holds, value, &format!("is {ty} of {from}, which {unary:?} does not give"))
     }
@@ -272,8 +274,8 @@ impl Check<'_> {
             Binary::Div | Binary::RotateLeft => ty == left && ty == right && !ty.is_vector(),
             Binary::Shl | Binary::Shr | Binary::Sar => ty == left && !ty.is_float() && !right.is_vector(),
             Binary::Narrow { .. } => left == right && left.is_vector() && ty == left.narrowed(),
-            Binary::Swizzle | Binary::LookUp => [ty, left, right] == [Type::I8X16; 3],
-            Binary::MulFloat => [ty, left, right] == [Type::F32X4; 3],
+            Binary::Swizzle | Binary::LookUp => left == Type::TABLE && ty == right && ty == ty.of_integers(8),
+            Binary::MulFloat => ty == left && ty == right && ty.is_vector() && ty.is_float() && ty.element() == 32,
         };
         self.demand(holds, value, &format!("is {ty} of {left} and {right}, which {binary:?} does not give"))
     }
@@ -287,7 +289,7 @@ mod tests {
 
     /// A program with a loop, a branch and vectors.
     fn program() -> Program {
-        let mut b = Builder::new();
+        let mut b = Builder::new(128);
         let [state, argument, _] = Program::PARAMETERS;
         let (at, result) = (b.parameter(Type::I64), b.parameter(Type::I64));
         b.open();

@@ -158,11 +158,11 @@ impl Random<'_> {
                 match n >> 16 & 3 {
                     0 => b.swizzle(p, q),
                     1 => {
-                        let low = b.bytes(Type::I8X16, [15; 16]);
+                        let low = b.numbers(Type::I8X16, |_| 15);
                         let numbers = b.and(q, low);
                         b.look_up(p, numbers)
                     }
-                    _ => b.shuffle(p, q, std::array::from_fn(|i| bytes[i % 8].rotate_left(i as u32) % 32)),
+                    _ => b.shuffle(p, q, |i| usize::from(bytes[i % 8].rotate_left(i as u32) % 32)),
                 }
             }
         };
@@ -196,13 +196,10 @@ impl Random<'_> {
             // Numbers of 24 bits divided by powers of two, as shifts to the right are.
             _ => {
                 let vector = b.cast(Type::I32X4, vector);
-                let low =
-                    b.bytes(Type::I32X4, [255, 255, 255, 0, 255, 255, 255, 0, 255, 255, 255, 0, 255, 255, 255, 0]);
+                let low = b.numbers(Type::I32X4, |_| 0xff_ffff);
                 let numbers = b.and(vector, low);
-                let floats = b.floats(Type::F32X4, numbers);
-                let power = (127 - (n >> 8 & 31) as u32) << 23;
-                let power: Vec<u8> = (0..4).flat_map(|_| power.to_le_bytes()).collect();
-                let power = b.bytes(Type::F32X4, power.try_into().expect("a vector has 16 bytes"));
+                let floats = b.floats(Type::I32X4.floats(), numbers);
+                let power = b.numbers(Type::I32X4.floats(), |_| (127 - (n >> 8 & 31)) << 23);
                 let floats = b.mul_float(floats, power);
                 self.vectors.push(b.integers(Type::I32X4, floats));
             }
@@ -379,7 +376,7 @@ proptest! {
         bytes in proptest::collection::vec(any::<u8>(), STATE),
     ) {
         let state = State(bytes.try_into().expect("it has this length"));
-        let mut builder = Builder::new();
+        let mut builder = Builder::new(128);
         write(&mut builder, &steps);
         let (program, _kept) = builder.finish();
         prop_assert_eq!(program.verify(), Ok(()));
@@ -392,7 +389,7 @@ proptest! {
         let mut evaluated = state.clone();
         let address = 1 << 20;
         let mut memories = [Memory { address, bytes: &mut evaluated.0 }];
-        let result = program.evaluate([address, argument, 0], &mut memories, &mut |_, _| unreachable!("it calls nothing"));
+        let result = program.evaluate([address, argument, 0], memories.as_mut_slice(), &mut |_: u64, _: &[u64]| unreachable!("it calls nothing"));
         let result = result.map_err(|wild| TestCaseError::fail(format!("{wild:?}")))?;
         prop_assert_eq!(run(&steps, argument, state), (result, evaluated));
     }

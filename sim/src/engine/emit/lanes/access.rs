@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::form::{Form, Need, Step, Vector};
-use super::vectors::{self, low_mask, ty};
+use super::vectors::{self, low_mask};
 use super::{Done, Lanes};
 use crate::engine::program::ValueId;
 use crate::engine::strips::{Builder, Load, Type, Value};
@@ -16,37 +16,37 @@ pub(in crate::engine::emit) struct Span {
     /// The address of the first lane, together with the offset.
     pub address: Value,
     pub offset: i32,
-    /// Aligned to 16 bytes.
+    /// Aligned to the size of a vector.
     pub aligned: bool,
 }
-
-impl Span {}
 
 impl Lanes {
     /// Loads the lanes of a strip.
     pub fn load(&mut self, b: &mut Builder, id: ValueId, width: u32, from: Span) {
         let Span { storage, address, offset, aligned } = from;
         let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
-        let mut element = storage;
-        let parts = match (self.strip * storage, storage, width) {
-            (128.., ..) => {
-                let parts = self.parts(storage) as i32;
-                (0..parts).map(|i| b.load_as(Load::Whole, ty(storage), aligned, address, offset + 16 * i)).collect()
+        // How many times the lanes would fill what they fill of a vector.
+        let parts = match self.vector / (self.strip * storage) {
+            0 | 1 => {
+                let place = |i| offset + i * self.vector as i32 / 8;
+                let parts = (0..self.parts(storage) as i32).map(place);
+                parts.map(|place| b.load_as(Load::Whole, b.vector(storage), aligned, address, place)).collect()
             }
-            (64, 8, 1) => vec![b.load_as(Load::SignExtended, Type::I16X8, aligned, address, offset)],
-            (64, 8, _) => vec![b.load_as(Load::ZeroExtended, Type::I16X8, aligned, address, offset)],
-            (64, _, 1) => vec![b.load_as(Load::SignExtended, Type::I32X4, aligned, address, offset)],
-            (64, ..) => vec![b.load_as(Load::ZeroExtended, Type::I32X4, aligned, address, offset)],
+            2 => {
+                let load = if width == 1 { Load::SignExtended } else { Load::ZeroExtended };
+                vec![b.load_as(load, b.vector(2 * storage), aligned, address, offset)]
+            }
             _ => {
-                let lanes = b.load_as(Load::Whole, Type::I32, aligned, address, offset);
-                let lanes = b.lowest(Type::I32X4, lanes);
-                let bytes = b.cast(Type::I8X16, lanes);
+                let quarter = self.vector / 4;
+                let lanes = b.load_as(Load::Whole, Type::integer(quarter), aligned, address, offset);
+                let lanes = b.lowest(b.vector(quarter), lanes);
+                let bytes = b.cast(b.vector(8), lanes);
                 let step = if width == 1 { Step::WidenSigned } else { Step::Widen };
                 let words = vectors::resize(b, step, &[bytes], 8);
                 vec![vectors::resize(b, step, &words[..1], 16)[0]]
             }
         };
-        element = element.max(128 / self.strip);
+        let element = storage.max(self.smallest());
         self.define(id, Vector { width, element, form, parts, inverse: None });
     }
 
@@ -54,21 +54,22 @@ impl Lanes {
     pub fn load_parts(&mut self, b: &mut Builder, id: ValueId, width: u32, address: Value, offsets: &[i32]) {
         let element = self.element(width);
         let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
-        let parts = offsets.iter().map(|&offset| b.load_as(Load::Whole, ty(element), false, address, offset)).collect();
+        let parts =
+            offsets.iter().map(|&offset| b.load_as(Load::Whole, b.vector(element), false, address, offset)).collect();
         self.define(id, Vector { width, element, form, parts, inverse: None });
     }
 
     /// Stores the lanes of a strip.
     pub fn store(&mut self, b: &mut Builder, id: ValueId, to: Span) {
         let need = stored(self.width(id));
-        let vector = self.number(b, id, to.storage.max(128 / self.strip), need);
+        let vector = self.number(b, id, to.storage.max(self.smallest()), need);
         self.store_vector(b, &vector, to);
     }
 
     /// Stores the lanes where the 1-bit value `select` is 1, and elsewhere `old`, the present contents.
     pub fn store_where(&mut self, b: &mut Builder, select: ValueId, id: ValueId, old: ValueId, to: Span) {
         let need = stored(self.width(id));
-        let element = to.storage.max(128 / self.strip);
+        let element = to.storage.max(self.smallest());
         let select = self.number(b, select, element, Need::Signed);
         let [id, old] = [id, old].map(|id| self.number(b, id, element, need));
         let vector = self.mux(b, &select, &id, &old);
@@ -79,7 +80,7 @@ impl Lanes {
         let Span { storage, address, offset, aligned } = to;
         if vector.element == storage {
             for (i, &part) in vector.parts.iter().enumerate() {
-                b.store_as(aligned, part, address, offset + 16 * i as i32);
+                b.store_as(aligned, part, address, offset + i as i32 * self.vector as i32 / 8);
             }
             return;
         }
@@ -90,10 +91,7 @@ impl Lanes {
             lanes = vectors::narrowed(b, step, lanes, lanes);
             element /= 2;
         }
-        let bits = self.strip * storage;
-        // A float is stored by one instruction; an integer would have to be extracted.
-        let lanes = b.cast(if bits == 32 { Type::F32X4 } else { Type::F64X2 }, lanes);
-        let lanes = b.lane(lanes, 0);
+        let lanes = vectors::lowest(b, lanes, self.strip * storage);
         b.store_as(aligned, lanes, address, offset);
     }
 
@@ -116,7 +114,7 @@ impl Lanes {
     /// One lane, clean or sign-extended. It uses halves of vectors, because extracting each lane takes longer.
     pub(super) fn lane(&mut self, b: &mut Builder, vector: &Vector, lane: u32, signed: bool) -> Value {
         let Vector { width, element, .. } = *vector;
-        let (part, at) = (vector.parts[(lane * element / 128) as usize], lane * element % 128);
+        let (part, at) = (vector.parts[(lane * element / self.vector) as usize], lane * element % self.vector);
         let half = self.half(b, part, (at / 64) as u8);
         let low = at % 64;
         let number = match low {
@@ -136,7 +134,7 @@ impl Lanes {
         if !signed && low + element == 64 {
             return number;
         }
-        let number = b.truncate(ty(element).of_lane(), number);
+        let number = b.truncate(Type::integer(element), number);
         if signed { b.sign_extend(Type::I64, number) } else { b.zero_extend(Type::I64, number) }
     }
 
@@ -144,7 +142,7 @@ impl Lanes {
         if let Some(half) = self.halves.get(&(part, index)) {
             return *half;
         }
-        let both = b.cast(Type::I64X2, part);
+        let both = b.cast(b.vector(64), part);
         let half = b.lane(both, index);
         self.halves.insert((part, index), half);
         self.done.push(Done::Half(part, index));
@@ -162,8 +160,8 @@ impl Lanes {
 
     pub(super) fn gathered(&mut self, b: &mut Builder, element: u32, lanes: &[Value]) -> Vec<Value> {
         debug_assert_eq!(lanes.len(), self.strip as usize);
-        let single = ty(element).of_lane();
-        let parts = lanes.chunks(128 / element as usize).map(|lanes| {
+        let single = Type::integer(element);
+        let parts = lanes.chunks((self.vector / element) as usize).map(|lanes| {
             let mut fill = |lanes: &[Value]| {
                 let mut vector = None;
                 let are_equal = lanes.iter().all(|lane| *lane == lanes[0]);
@@ -176,8 +174,8 @@ impl Lanes {
                     };
                     vector = Some(match vector {
                         // The pattern of two moves for 64 bits; `movd` for others.
-                        None if element == 64 || are_equal => b.splat(ty(element), number),
-                        None if element == 32 => b.lowest(ty(element), number),
+                        None if element == 64 || are_equal => b.splat(b.vector(element), number),
+                        None if element == 32 => b.lowest(b.vector(element), number),
                         None => {
                             // The bits above are overwritten.
                             let wide = match b.type_of(lane) {
@@ -185,8 +183,8 @@ impl Lanes {
                                 Type::I32 => lane,
                                 _ => b.zero_extend(Type::I32, lane),
                             };
-                            let wide = b.lowest(Type::I32X4, wide);
-                            b.cast(ty(element), wide)
+                            let wide = b.lowest(b.vector(32), wide);
+                            b.cast(b.vector(element), wide)
                         }
                         Some(vector) => b.with_lane(vector, number, i as u8),
                     });
@@ -199,7 +197,7 @@ impl Lanes {
             // Two chains of half the length.
             let (low, high) = lanes.split_at(lanes.len() / 2);
             let (low, high) = (fill(low), fill(high));
-            vectors::interleave(b, low, high, 64, false)
+            vectors::lower_halves(b, low, high)
         });
         parts.collect()
     }

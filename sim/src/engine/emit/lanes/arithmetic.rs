@@ -4,7 +4,7 @@ use tilewright_circuit::ir::{Binary, Unary};
 
 use super::Lanes;
 use super::form::{Form, Need, Vector};
-use super::vectors::{self, low_mask, ty};
+use super::vectors::{self, low_mask};
 use crate::engine::program::ValueId;
 use crate::engine::strips::{Builder, Comparison, Type, Value};
 
@@ -227,14 +227,14 @@ impl Lanes {
         // Even and odd bytes separately, in 16-bit lanes.
         let (even, odd) = (self.bits(b, 16, 0x00ff), self.bits(b, 16, 0xff00));
         vectors::map2(&x.parts, &y.parts, |x, y| {
-            let [x, y] = [x, y].map(|part| b.cast(Type::I16X8, part));
+            let [x, y] = [x, y].map(|part| b.cast(b.vector(16), part));
             let low = b.mul(x, y);
             let low = b.and(low, even);
             let down = vectors::shift_dirty(b, x, 16, false, 8);
             let up = b.and(y, odd);
             let high = b.mul(down, up);
             let both = b.or(low, high);
-            b.cast(ty(8), both)
+            b.cast(b.vector(8), both)
         })
     }
 }

@@ -1,7 +1,7 @@
 //! Slices and concatenations.
 
 use super::form::{Form, Need, Vector};
-use super::vectors::{self, low_mask, ty};
+use super::vectors::{self, low_mask};
 use super::{ELEMENTS, Lanes};
 use crate::engine::program::ValueId;
 use crate::engine::strips::{Builder, Type};
@@ -104,7 +104,7 @@ impl Lanes {
                 for (&low, &high) in low.parts.iter().zip(&high.parts) {
                     for upper in [false, true] {
                         let both = vectors::interleave(b, low, high, half, upper);
-                        parts.push(b.cast(ty(least), both));
+                        parts.push(b.cast(b.vector(least), both));
                     }
                 }
                 let form = match high.form {

@@ -29,7 +29,7 @@ impl Lanes {
     /// The element, not below `least`, with the lowest total cost, if the operands must be converted and each part
     /// takes `each` instructions.
     pub(super) fn pick(&self, least: u32, operands: &[(ValueId, Need)], each: u32) -> u32 {
-        let least = least.max(128 / self.strip);
+        let least = least.max(self.smallest());
         let cost = |element: u32| {
             let conversions: u32 = operands.iter().map(|&(id, need)| self.cost(id, element, need)).sum();
             conversions + each * self.parts(element) as u32

@@ -4,7 +4,7 @@ use tilewright_circuit::ir::{Binary, Reduction};
 
 use super::Lanes;
 use super::form::Vector;
-use super::vectors::{self, low_mask, ty};
+use super::vectors::{self, low_mask};
 use crate::engine::strips::{Builder, Comparison, Type, Value};
 
 /// The operator that combines two lanes.
@@ -39,7 +39,7 @@ impl Lanes {
         let all = vector.parts.iter().copied().reduce(|x, y| combine(b, x, y)).expect("a strip has a vector");
         if width == 1 {
             // One bit of each byte is enough.
-            let bytes = b.cast(Type::I8X16, all);
+            let bytes = b.cast(b.vector(8), all);
             let bits = b.high_bits(Type::I32, bytes);
             let flag = match op {
                 Binary::Xor => {
@@ -52,7 +52,7 @@ impl Lanes {
                 }
                 _ => {
                     let (relation, number) = match op {
-                        Binary::And => (Comparison::Equal, 0xffff),
+                        Binary::And => (Comparison::Equal, low_mask(self.vector / 8) as i64),
                         _ => (Comparison::NotEqual, 0),
                     };
                     let number = b.constant(Type::I32, number);
@@ -61,11 +61,11 @@ impl Lanes {
             };
             return b.zero_extend(Type::I64, flag);
         }
-        let mut all = all;
-        let mut bytes = 8;
+        let (mut all, size) = (all, self.vector as usize / 8);
+        let mut bytes = size / 2;
         while bytes >= element as usize / 8 {
             // Rotated by half of what remains; one `palignr`.
-            let turned = vectors::shuffle(b, all, all, std::array::from_fn(|i| ((i + bytes) % 16) as u8));
+            let turned = vectors::shuffle(b, all, all, |i| (i + bytes) % size);
             all = combine(b, all, turned);
             bytes /= 2;
         }
@@ -74,7 +74,7 @@ impl Lanes {
         if width == element {
             return lane;
         }
-        debug_assert_eq!(b.type_of(all), ty(element));
+        debug_assert_eq!(b.type_of(all), b.vector(element));
         let mask = b.constant(Type::I64, low_mask(width) as i64);
         b.and(lane, mask)
     }

@@ -4,7 +4,7 @@ use tilewright_circuit::Bits;
 
 use super::Lanes;
 use super::form::{Form, Need, Vector};
-use super::vectors::{self, ty};
+use super::vectors;
 use crate::engine::program::ValueId;
 use crate::engine::strips::{Builder, Type};
 
@@ -125,11 +125,11 @@ impl Lanes {
         }
         let element = self.pick(self.element(width), &[(subject, Need::Clean)], 1);
         let numbers = self.number(b, subject, element, Need::Clean);
-        let table = vectors::vector_constant(b, 8, |i| u64::from(table[i as usize]));
+        let table = b.numbers(Type::TABLE, |i| u64::from(table[i as usize]));
         let parts = vectors::map(&numbers.parts, |part| {
-            let part = b.cast(Type::I8X16, part);
+            let part = b.cast(b.vector(8), part);
             let found = b.look_up(table, part);
-            b.cast(ty(element), found)
+            b.cast(b.vector(element), found)
         });
         // Above the lowest byte is the entry of zero.
         Some(Vector { width, element, form: Form::Bits(element), parts, inverse: None })

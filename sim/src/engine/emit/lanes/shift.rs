@@ -3,7 +3,7 @@
 use tilewright_circuit::ir::{Binary, Shift};
 
 use super::form::{Form, Need, Vector};
-use super::vectors::{self, low_mask, ty};
+use super::vectors::{self, low_mask};
 use super::{Done, Lanes};
 use crate::engine::program::ValueId;
 use crate::engine::strips::{Builder, Comparison, Type, Value};
@@ -286,8 +286,8 @@ impl Lanes {
                 vectors::map(&amount.parts, |part| {
                     let exponent = if falling { b.sub(bias, part) } else { b.add(part, bias) };
                     let float = b.shl(exponent, up);
-                    let float = b.cast(Type::F32X4, float);
-                    let power = b.integers(Type::I32X4, float);
+                    let float = b.cast(b.vector(32).floats(), float);
+                    let power = b.integers(b.vector(32), float);
                     match limit {
                         None => power,
                         Some(limit) if largest < 1 << 31 => {
@@ -304,7 +304,7 @@ impl Lanes {
             // From a table of bytes, which gives zero beyond its end.
             16 => {
                 let (each, ends) = (self.bits(b, 16, 0x0101), self.bits(b, 16, if falling { 0x0800 } else { 0xf800 }));
-                let table = vectors::vector_constant(b, 8, |i| match falling {
+                let table = b.numbers(Type::TABLE, |i| match falling {
                     true => u64::from(i >= 8) * (1 << (15 - i)) % 256,
                     false => u64::from(i < 8) * (1 << i) % 256,
                 });
@@ -313,13 +313,13 @@ impl Lanes {
                     let part = limit.map_or(part, |limit| b.min(part, limit));
                     let twice = b.mul(part, each);
                     let numbers = b.add(twice, ends);
-                    let numbers = b.cast(Type::I8X16, numbers);
+                    let numbers = b.cast(b.vector(8), numbers);
                     let powers = b.swizzle(table, numbers);
-                    b.cast(Type::I16X8, powers)
+                    b.cast(b.vector(16), powers)
                 })
             }
             _ => {
-                let table = vectors::vector_constant(b, 8, |i| match falling {
+                let table = b.numbers(Type::TABLE, |i| match falling {
                     true => 0x80 >> i,
                     false => u64::from(i < 8) * (1 << i) % 256,
                 });
@@ -354,7 +354,7 @@ impl Lanes {
                 let (even, odd) = (self.bits(b, 16, 0x00ff), self.bits(b, 16, 0xff00));
                 let one = b.constant(Type::I64, 1);
                 vectors::map2(&value.parts, &powers, |x, power| {
-                    let [x, power] = [x, power].map(|part| b.cast(Type::I16X8, part));
+                    let [x, power] = [x, power].map(|part| b.cast(b.vector(16), part));
                     let [x0, power0] = [x, power].map(|part| b.and(part, even));
                     let [x1, power1] = [x, power].map(|part| vectors::shift_dirty(b, part, 16, false, 8));
                     let low = b.mul(x0, power0);
@@ -363,7 +363,7 @@ impl Lanes {
                     let high = b.shl(high, one);
                     let high = b.and(high, odd);
                     let both = b.or(low, high);
-                    b.cast(ty(8), both)
+                    b.cast(b.vector(8), both)
                 })
             }
         };
@@ -380,10 +380,10 @@ impl Lanes {
             let by = limit.map_or(by, |limit| b.min(by, limit));
             let exponent = b.sub(bias, by);
             let factor = b.shl(exponent, up);
-            let factor = b.cast(Type::F32X4, factor);
-            let float = b.floats(Type::F32X4, part);
+            let factor = b.cast(b.vector(32).floats(), factor);
+            let float = b.floats(b.vector(32).floats(), part);
             let float = b.mul_float(float, factor);
-            b.integers(Type::I32X4, float)
+            b.integers(b.vector(32), float)
         });
         Vector { parts, inverse: None, ..value.clone() }
     }

@@ -3,16 +3,6 @@
 use super::form::Step;
 use crate::engine::strips::{Builder, Comparison, Type, Value};
 
-/// The vector type with this element.
-pub(in crate::engine::emit) fn ty(element: u32) -> Type {
-    match element {
-        8 => Type::I8X16,
-        16 => Type::I16X8,
-        32 => Type::I32X4,
-        _ => Type::I64X2,
-    }
-}
-
 /// A number with this many ones.
 pub(super) fn low_mask(bits: u32) -> u64 {
     u64::MAX >> (64 - bits)
@@ -25,9 +15,7 @@ pub(super) fn signed_constant(constant: u64, width: u32) -> u64 {
 
 /// A constant, by lane.
 pub(super) fn vector_constant(b: &mut Builder, element: u32, lane: impl Fn(u32) -> u64) -> Value {
-    let bytes = element as usize / 8;
-    let all = std::array::from_fn(|i| lane((i / bytes) as u32).to_le_bytes()[i % bytes]);
-    b.bytes(ty(element), all)
+    b.numbers(b.vector(element), lane)
 }
 
 /// For each part; equal parts, as of a value that is the same in all lanes, once.
@@ -53,34 +41,54 @@ pub(super) fn equal(b: &mut Builder, x: Value, y: Value) -> Value {
     b.compare(Comparison::Equal, x, y)
 }
 
-/// Selects bytes of two vectors by number; the result has the type of `x`.
-pub(super) fn shuffle(b: &mut Builder, x: Value, y: Value, bytes: [u8; 16]) -> Value {
+/// Selects bytes of two vectors, one after the other: `byte` gives the number of each. The result has the type of `x`.
+pub(super) fn shuffle(b: &mut Builder, x: Value, y: Value, byte: impl Fn(usize) -> usize) -> Value {
     let of = b.type_of(x);
-    let same = x == y;
-    let x = b.cast(Type::I8X16, x);
-    let y = if same { x } else { b.cast(Type::I8X16, y) };
-    let out = b.shuffle(x, y, bytes);
+    let (bytes, same) = (b.vector(8), x == y);
+    let x = b.cast(bytes, x);
+    let y = if same { x } else { b.cast(bytes, y) };
+    let out = b.shuffle(x, y, byte);
     b.cast(of, out)
 }
 
 /// The elements of the lower, or the upper, halves of two vectors, alternating.
 pub(super) fn interleave(b: &mut Builder, x: Value, y: Value, element: u32, upper: bool) -> Value {
-    let size = element as usize / 8;
-    let start = if upper { 8 } else { 0 };
-    let bytes = std::array::from_fn(|i| {
+    let (size, all) = (element as usize / 8, b.vector_bits() as usize / 8);
+    let start = if upper { all / 2 } else { 0 };
+    shuffle(b, x, y, |i| {
         let (pair, within) = (i / (2 * size), i % (2 * size));
-        let other = if within >= size { 16 } else { 0 };
-        (other + start + pair * size + within % size) as u8
-    });
-    shuffle(b, x, y, bytes)
+        let other = if within >= size { all } else { 0 };
+        other + start + pair * size + within % size
+    })
+}
+
+/// The lower halves of two vectors, one after the other.
+pub(super) fn lower_halves(b: &mut Builder, x: Value, y: Value) -> Value {
+    let half = b.vector_bits() as usize / 16;
+    shuffle(b, x, y, |i| if i < half { i } else { half + i })
 }
 
 /// The lower, or the upper, 32 bits of the 64-bit elements of two vectors, one after another.
 pub(super) fn halves(b: &mut Builder, x: Value, y: Value, upper: bool) -> Value {
     let start = if upper { 4 } else { 0 };
-    let bytes = std::array::from_fn(|i| (i / 4 * 8 + i % 4 + start) as u8);
-    let both = shuffle(b, x, y, bytes);
-    b.cast(Type::I32X4, both)
+    let both = shuffle(b, x, y, |i| i / 4 * 8 + i % 4 + start);
+    b.cast(b.vector(32), both)
+}
+
+/// So many of the lowest bits of a vector, to be stored. A float is stored by one instruction; an integer would have to
+/// be extracted.
+pub(super) fn lowest(b: &mut Builder, vector: Value, bits: u32) -> Value {
+    match bits {
+        128.. => b.cast(Type::vector(64, bits), vector),
+        32 | 64 => {
+            let floats = b.cast(b.vector(bits).floats(), vector);
+            b.lane(floats, 0)
+        }
+        _ => {
+            let integers = b.cast(b.vector(bits), vector);
+            b.lane(integers, 0)
+        }
+    }
 }
 
 /// A step that changes the size of elements.
@@ -88,7 +96,7 @@ pub(super) fn resize(b: &mut Builder, step: Step, parts: &[Value], element: u32)
     let widened = |b: &mut Builder, part: Value, upper: bool| match (step, upper) {
         (Step::Double, _) => {
             let both = interleave(b, part, part, element, upper);
-            b.cast(ty(element * 2), both)
+            b.cast(b.vector(element * 2), both)
         }
         (Step::Widen, false) => b.widen_low(false, part),
         (Step::Widen, true) => b.widen_high(false, part),
@@ -114,8 +122,8 @@ pub(super) fn narrowed(b: &mut Builder, step: Step, low: Value, high: Value) -> 
 
 /// Logical shift by a constant; for bytes in 16-bit lanes, so that bits of neighbours come in.
 pub(super) fn shift_dirty(b: &mut Builder, value: Value, element: u32, left: bool, by: u32) -> Value {
-    let wide = b.cast(if element == 8 { Type::I16X8 } else { ty(element) }, value);
+    let wide = b.cast(b.vector(element.max(16)), value);
     let by = b.constant(Type::I64, i64::from(by));
     let out = if left { b.shl(wide, by) } else { b.shr(wide, by) };
-    b.cast(ty(element), out)
+    b.cast(b.vector(element), out)
 }

@@ -98,7 +98,7 @@ impl Demands<'_> {
     fn are_rows(&self, parts: &[ValueId], inner: u32, cell: &Cell) -> bool {
         let element = storage(self.strips, cell.lanes, cell.width);
         parts.len() as u32 * inner == cell.lanes
-            && (inner * element).is_multiple_of(128)
+            && (inner * element).is_multiple_of(self.strips.vector())
             && element == storage(self.strips, inner, cell.width)
     }
 

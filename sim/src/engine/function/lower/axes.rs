@@ -52,7 +52,7 @@ pub(super) fn stack(
 ) -> ValueId {
     let element = storage(strips, lanes, width);
     let are_rows = parts.len() as u32 * inner == lanes && parts.len() >= COPIED;
-    let are_vectors = (inner * element).is_multiple_of(128) && element == storage(strips, inner, width);
+    let are_vectors = (inner * element).is_multiple_of(strips.vector()) && element == storage(strips, inner, width);
     let are_known = parts.iter().all(|part| rewriter.circuit().constant(*part).is_some());
     if inner == 1 || (are_rows && are_vectors && !are_known) {
         return rewriter.add(Kind::Stack { parts: parts.to_vec(), inner }, lanes, width);

@@ -77,7 +77,7 @@ struct Lowering {
 impl Lowering {
     fn new(passes: &Passes) -> Lowering {
         let program = compile(&elaborate(&Everything).unwrap(), passes);
-        let mut layout = Layout::new(StripSizes::of(&program));
+        let mut layout = Layout::new(StripSizes::of(&program, 128));
         let (places, _) = units::places(&program, &mut layout);
         let (memories, banks) = bank::banks(&program, &layout.strips);
         let function = Maker::new(&program).edge(&[0]).0;

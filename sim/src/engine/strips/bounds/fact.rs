@@ -1,7 +1,7 @@
 //! What is known of a value before a program runs, and what operations make of it.
 
 use super::super::operation::{Binary, Load, Unary};
-use super::super::value::Type;
+use super::super::value::{Bytes, Type};
 use super::{Base, Extent};
 
 /// What is known of a value.
@@ -12,7 +12,7 @@ pub(in crate::engine) enum Fact {
     /// An address: where it begins, and at least and at most how many bytes further it is.
     Address(Base, i64, i64),
     /// A vector, or an integer, in which only these bits may be 1.
-    Vector(u128),
+    Vector(Bits),
 }
 
 use Fact::{Address, Number, Vector};
@@ -27,21 +27,63 @@ pub(super) fn smear(number: u64) -> u64 {
     if number == 0 { 0 } else { ones(number.ilog2() + 1) }
 }
 
+/// Bits of a vector, or of a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(in crate::engine) struct Bits([u64; 4]);
+
+impl Bits {
+    const ALL: Bits = Bits([u64::MAX; 4]);
+
+    /// Those of a number.
+    fn of(number: u64) -> Bits {
+        Bits([number, 0, 0, 0])
+    }
+
+    pub fn of_bytes(bytes: &Bytes) -> Bits {
+        Bits(std::array::from_fn(|i| u64::from_le_bytes(std::array::from_fn(|byte| bytes[8 * i + byte]))))
+    }
+
+    /// Those of a number that has no more.
+    pub fn number(self) -> u64 {
+        self.0[0]
+    }
+
+    fn both(self, other: Bits, of: impl Fn(u64, u64) -> u64) -> Bits {
+        Bits(std::array::from_fn(|i| of(self.0[i], other.0[i])))
+    }
+
+    fn and(self, other: Bits) -> Bits {
+        self.both(other, |x, y| x & y)
+    }
+
+    fn or(self, other: Bits) -> Bits {
+        self.both(other, |x, y| x | y)
+    }
+
+    /// The same, with those of a lane replaced.
+    fn with_lane(mut self, ty: Type, i: u32, bits: u64) -> Bits {
+        let (low, all) = (i * ty.element(), ones(ty.element()));
+        let limb = &mut self.0[low as usize / 64];
+        *limb = *limb & !(all << (low % 64)) | (bits & all) << (low % 64);
+        self
+    }
+}
+
 /// Bits of each lane of a vector, where `of` gives those of a lane by number.
-fn lanes(ty: Type, of: impl Fn(u32) -> u64) -> u128 {
-    let lane = |i: u32| u128::from(of(i) & ones(ty.element())) << (i * ty.element());
-    (0..ty.lanes()).fold(0, |all, i| all | lane(i))
+fn lanes(ty: Type, of: impl Fn(u32) -> u64) -> Bits {
+    (0..ty.lanes()).fold(Bits::default(), |all, i| all.with_lane(ty, i, of(i)))
 }
 
 /// Bits of a lane.
-fn lane(ty: Type, bits: u128, i: u32) -> u64 {
-    (bits >> (i * ty.element())) as u64 & ones(ty.element())
+fn lane(ty: Type, bits: Bits, i: u32) -> u64 {
+    let low = i * ty.element();
+    bits.0[low as usize / 64] >> (low % 64) & ones(ty.element())
 }
 
 impl Fact {
     /// Nothing but its type.
     pub fn any(ty: Type) -> Fact {
-        if ty.is_vector() { Vector(u128::MAX) } else { Number(0, ones(ty.element())) }
+        if ty.is_vector() { Vector(Bits::ALL) } else { Number(0, ones(ty.element())) }
     }
 
     pub fn constant(ty: Type, number: i64) -> Fact {
@@ -53,16 +95,16 @@ impl Fact {
     pub fn range(self, ty: Type) -> (u64, u64) {
         match self {
             Number(least, most) => (least, most),
-            Vector(bits) if !ty.is_vector() => (0, bits as u64),
+            Vector(bits) if !ty.is_vector() => (0, bits.number()),
             _ => (0, ones(ty.element())),
         }
     }
 
     /// The bits of a vector that may be 1, or of a number.
-    pub fn bits(self, ty: Type) -> u128 {
+    pub fn bits(self, ty: Type) -> Bits {
         match self {
             Vector(bits) => bits,
-            _ => smear(self.range(ty).1).into(),
+            _ => Bits::of(smear(self.range(ty).1)),
         }
     }
 
@@ -71,7 +113,7 @@ impl Fact {
         match (self, other) {
             (Number(a, b), Number(c, d)) => Number(a.min(c), b.max(d)),
             (Address(base, a, b), Address(other, c, d)) if base == other => Address(base, a.min(c), b.max(d)),
-            (Vector(a), Vector(b)) => Vector(a | b),
+            (Vector(a), Vector(b)) => Vector(a.or(b)),
             _ => Fact::any(ty),
         }
     }
@@ -89,7 +131,7 @@ impl Fact {
             Load::SignExtended if each >> (stored - 1) != 0 => Fact::any(ty),
             _ if ty.is_vector() => Vector(lanes(ty, |_| each)),
             _ if integer == stored => Number(0, most.min(ones(stored))),
-            _ => Vector(each.into()),
+            _ => Vector(Bits::of(each)),
         }
     }
 
@@ -116,8 +158,8 @@ impl Fact {
             Unary::SignExtend if !top(most) => of,
             Unary::Truncate if most <= ones(ty.element()) => of,
             Unary::Cast => of,
-            Unary::Splat => Vector(lanes(ty, |_| bits as u64)),
-            Unary::Lowest => Vector(lanes(ty, |i| if i == 0 { bits as u64 } else { 0 })),
+            Unary::Splat => Vector(lanes(ty, |_| bits.number())),
+            Unary::Lowest => Vector(lanes(ty, |i| if i == 0 { bits.number() } else { 0 })),
             Unary::WidenLow { signed } => Vector(lanes(ty, |i| extended(signed, lane(from, bits, i)))),
             Unary::WidenHigh { signed } => Vector(lanes(ty, |i| extended(signed, lane(from, bits, i + ty.lanes())))),
             Unary::HighBits => Number(0, ones(from.lanes())),
@@ -140,31 +182,32 @@ impl Fact {
     }
 
     /// The bits of a vector that may be 1.
-    fn vector(self) -> u128 {
-        if let Vector(bits) = self { bits } else { u128::MAX }
+    fn vector(self) -> Bits {
+        if let Vector(bits) = self { bits } else { Bits::ALL }
     }
 
     /// Each bit of `x` where the mask is 1, else of `y`.
     pub fn blend(mask: Fact, x: Fact, y: Fact) -> Fact {
-        Vector(x.vector() & mask.vector() | y.vector())
+        Vector(x.vector().and(mask.vector()).or(y.vector()))
     }
 
     /// Bytes chosen of two vectors.
-    pub fn shuffle(x: Fact, y: Fact, bytes: &[u8; 16]) -> Fact {
-        let both = [x, y].map(|it| it.vector().to_le_bytes()).concat();
-        Vector(u128::from_le_bytes(bytes.map(|byte| both[usize::from(byte)])))
+    pub fn shuffle(ty: Type, x: Fact, y: Fact, bytes: &Bytes) -> Fact {
+        let of = |byte: u32| match byte.checked_sub(ty.lanes()) {
+            None => lane(ty, x.vector(), byte),
+            Some(byte) => lane(ty, y.vector(), byte),
+        };
+        Vector(lanes(ty, |i| of(bytes[i as usize].into())))
     }
 
     /// A number of a vector of this type.
-    pub fn lane(self, ty: Type, lane: u8) -> Fact {
-        Number(0, (self.vector() >> (u32::from(lane) * ty.element())) as u64 & ones(ty.element()))
+    pub fn lane(self, ty: Type, at: u8) -> Fact {
+        Number(0, lane(ty, self.vector(), at.into()))
     }
 
     /// A vector of this type with another number in a lane.
     pub fn with_lane(self, ty: Type, number: Fact, lane: u8) -> Fact {
-        let (low, all) = (u32::from(lane) * ty.element(), u128::from(ones(ty.element())));
-        let number = number.range(ty.of_lane()).1;
-        Vector(self.vector() & !(all << low) | u128::from(smear(number)) << low)
+        Vector(self.vector().with_lane(ty, lane.into(), smear(number.range(ty.of_lane()).1)))
     }
 }
 
@@ -221,7 +264,7 @@ fn product(x: u64, y: u64, bits: u32) -> u64 {
 }
 
 /// The bits that may be 1 in a result of vectors with such bits.
-fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, u128), (right, y): (Fact, u128)) -> u128 {
+fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, Bits), (right, y): (Fact, Bits)) -> Bits {
     let all = ones(ty.element());
     let sized = |most: Option<u64>| most.filter(|most| *most <= all).map_or(all, smear);
     let each = |of: &dyn Fn(u64, u64) -> u64| lanes(ty, |i| of(lane(ty, x, i), lane(ty, y, i)));
@@ -236,8 +279,8 @@ fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, u128), (right, y): (Fa
     match binary {
         Binary::Add => each(&|x, y| sized(x.checked_add(y))),
         Binary::Mul => each(&|x, y| product(x, y, ty.element())),
-        Binary::And => x & y,
-        Binary::Or | Binary::Xor => x | y,
+        Binary::And => x.and(y),
+        Binary::Or | Binary::Xor => x.or(y),
         Binary::Min => each(&|x, y| smear(x.min(y))),
         Binary::Shl => shifted(&|_| all, &|x, by| x << by),
         Binary::Shr => shifted(&smear, &|x, by| x >> by),
@@ -250,8 +293,8 @@ fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, u128), (right, y): (Fa
         // Any byte of the first one.
         Binary::Swizzle | Binary::LookUp => lanes(ty, |i| {
             let numbers = lane(ty, y, i);
-            (0..16).filter(|byte| u64::from(*byte) & !numbers == 0).fold(0, |all, byte| all | lane(ty, x, byte))
+            (0..16).filter(|byte| u64::from(*byte) & !numbers == 0).fold(0, |all, byte| all | lane(from, x, byte))
         }),
-        _ => u128::MAX,
+        _ => Bits::ALL,
     }
 }

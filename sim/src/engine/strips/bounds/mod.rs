@@ -13,7 +13,7 @@ use super::operation::{Binary, Comparison, Load, Operation, Unary};
 use super::program::{Loop, Program, Statement};
 use super::value::{Type, Value};
 pub(in crate::engine) use fact::Fact;
-use fact::ones;
+use fact::{Bits, ones};
 
 /// Where an address begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -244,7 +244,7 @@ impl Walk<'_> {
             Operation::Parameter | Operation::Call(..) => Fact::any(ty),
             Operation::Constant(number) => Fact::constant(ty, *number),
             Operation::Address(address) => Fact::Address(Base::Known(*address), 0, 0),
-            Operation::Bytes(bytes) => Fact::Vector(u128::from_le_bytes(*bytes)),
+            Operation::Bytes(bytes) => Fact::Vector(Bits::of_bytes(bytes)),
             Operation::Unary(Unary::Truncate, of) => {
                 let fact = Fact::unary(Unary::Truncate, ty, self.ty(*of), self.of(*of));
                 Fact::Number(fact.range(ty).0, fact.range(ty).1.min(self.bits(*of) & ones(ty.element())))
@@ -269,7 +269,7 @@ impl Walk<'_> {
             Operation::Compare(..) => Fact::any(ty),
             Operation::Select(_, x, y) => self.of(*x).or(self.of(*y), ty),
             Operation::Blend(mask, x, y) => Fact::blend(self.of(*mask), self.of(*x), self.of(*y)),
-            Operation::Shuffle(x, y, bytes) => Fact::shuffle(self.of(*x), self.of(*y), bytes),
+            Operation::Shuffle(x, y, bytes) => Fact::shuffle(ty, self.of(*x), self.of(*y), bytes),
             Operation::Lane(of, lane) => self.of(*of).lane(self.ty(*of), *lane),
             Operation::WithLane(vector, number, lane) => self.of(*vector).with_lane(ty, self.of(*number), *lane),
             Operation::Load { load, address, offset, .. } => {
@@ -291,7 +291,7 @@ impl Walk<'_> {
                 Some(by) if by < 64 => self.bits(x) >> by,
                 _ => u64::MAX,
             },
-            _ => self.of(value).bits(self.ty(value)) as u64,
+            _ => self.of(value).bits(self.ty(value)).number(),
         }
     }
 

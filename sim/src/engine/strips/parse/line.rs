@@ -83,7 +83,7 @@ impl Line {
 
     pub fn ty(&mut self) -> Result<Type, String> {
         let word = self.next("a type")?;
-        let found = Type::ALL.into_iter().find(|ty| ty.to_string() == word);
+        let found = Type::all().find(|ty| ty.to_string() == word);
         found.ok_or_else(|| self.wrong(format_args!("has `{word}` in place of a type: write one as `i64` or `i8x16`")))
     }
 }

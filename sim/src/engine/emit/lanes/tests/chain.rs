@@ -65,18 +65,25 @@ pub struct Chain {
     seed: u64,
     pub random: Random,
     strip: u32,
+    /// Bits of a vector.
+    vector: u32,
     nodes: Vec<Node>,
     size: usize,
 }
 
 impl Chain {
+    /// Bytes of a node: its lanes in the widest element, and a vector.
+    fn reserved(&self) -> usize {
+        (self.vector + self.vector / 8) as usize
+    }
+
     pub fn id(index: usize) -> ValueId {
         ValueId(index as u32)
     }
 
     pub fn add(&mut self, kind: Kind, width: u32, lanes: Vec<u64>, uniform: bool) -> ValueId {
         let at = self.size;
-        self.size += 128 + 16 + 8 * (self.nodes.len() % 3 / 2);
+        self.size += self.reserved() + 8 * (self.nodes.len() % 3 / 2);
         self.nodes.push(Node { width, kind, lanes, uniform, at });
         Self::id(self.nodes.len() - 1)
     }
@@ -238,7 +245,12 @@ impl Chain {
 
     pub fn strip_of(&self, index: usize, address: Value) -> Span {
         let at = self.nodes[index].at;
-        Span { storage: self.storage(index), address, offset: at as i32, aligned: at.is_multiple_of(16) }
+        Span {
+            storage: self.storage(index),
+            address,
+            offset: at as i32,
+            aligned: at.is_multiple_of(self.vector as usize / 8),
+        }
     }
 
     /// Runs the chain on memory and compares everything stored. Values are stored at the end if `late`, and otherwise
@@ -246,7 +258,7 @@ impl Chain {
     #[allow(unsafe_code, reason = "calls generated code")]
     pub fn check(&self, mut jit: Jit, late: bool) {
         let code = jit.function(|b, state, _| {
-            let mut lanes = Lanes::new(self.strip);
+            let mut lanes = Lanes::new(self.strip, self.vector);
             for (i, node) in self.nodes.iter().enumerate() {
                 let strip = self.strip_of(i, state);
                 match &node.kind {
@@ -269,7 +281,7 @@ impl Chain {
             let zero = b.constant(Type::I64, 0);
             b.give(zero);
         });
-        let mut state = Aligned::new(self.size + 256);
+        let mut state = Aligned::new(self.size + 2 * self.reserved());
         let memory = state.bytes();
         for (i, node) in self.nodes.iter().enumerate().filter(|(_, node)| node.kind == Kind::State) {
             let bytes = self.bytes(i);
@@ -287,14 +299,15 @@ impl Chain {
             });
             assert!(
                 got == bytes,
-                "seed {}, strip {}, {i}: {:?} of {} bits, stored as {}\ngot  {got:x?}\nwant {bytes:x?}\n{operands:x?}",
+                "seed {}, strip {} of {} bits, {i}: {:?} of {} bits, stored as {}\ngot  {got:x?}\nwant {bytes:x?}\n{operands:x?}",
                 self.seed,
                 self.strip,
+                self.vector,
                 node.kind,
                 node.width,
                 self.storage(i),
             );
-            let behind = &memory[node.at + bytes.len()..node.at + 128 + 16];
+            let behind = &memory[node.at + bytes.len()..node.at + self.reserved()];
             assert!(behind.iter().all(|&byte| byte == 0), "{i} writes too far");
         }
     }
@@ -316,9 +329,9 @@ impl Aligned {
 }
 
 /// A chain with some inputs.
-pub fn chain(strip: u32, seed: u64) -> Chain {
+pub fn chain(strip: u32, vector: u32, seed: u64) -> Chain {
     let random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
-    let mut chain = Chain { seed, random, strip, nodes: Vec::new(), size: 0 };
+    let mut chain = Chain { seed, random, strip, vector, nodes: Vec::new(), size: 0 };
     for _ in 0..8 {
         let width = chain.random.width();
         chain.input(width);
