@@ -285,20 +285,66 @@ const BENCH: &str = "module bench;
 endmodule
 ";
 
-#[test]
-fn without_models_verilog_resolves_a_line() {
+/// What Icarus prints of a bench for a design without models; `None` if it is not installed.
+fn printed(design: &Design, bench: &str) -> Option<String> {
     if tools::skipped_without(&["iverilog", "vvp"]).is_some() {
-        return;
+        return None;
     }
     let folder = tempfile::tempdir().unwrap();
-    let text: String = verilog(&elaborate(&Line).unwrap()).into_iter().map(|file| file.text).collect();
-    std::fs::write(folder.path().join("all.v"), text + BENCH).unwrap();
+    let text: String = verilog(design).into_iter().map(|file| file.text).collect();
+    std::fs::write(folder.path().join("all.v"), text + bench).unwrap();
     let run = |program: &str, arguments: &[&str]| {
         let output = Command::new(program).args(arguments).current_dir(folder.path()).output().unwrap();
         String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
     };
     assert_eq!(run("iverilog", &["-g2005", "-Wall", "-Wno-timescale", "-s", "bench", "-o", "bench.vvp", "all.v"]), "");
-    assert_eq!(run("vvp", &["-n", "bench.vvp"]), "0111");
+    Some(run("vvp", &["-n", "bench.vvp"]))
+}
+
+#[test]
+fn without_models_verilog_resolves_a_line() {
+    if let Some(printed) = printed(&elaborate(&Line).unwrap(), BENCH) {
+        assert_eq!(printed, "0111");
+    }
+}
+
+block! {
+    /// A wire that one of two sides may drive.
+    struct Sides;
+    in SidesIn { second: bit(), drives: bits(2), values: bits(2), line: Outside::widths(1) }
+    out SidesOut { is_low: bit() }
+}
+
+impl Sides {
+    fn build(&self, m: Module, i: SidesIn) -> SidesOut {
+        let of_side = |both: Signal| mux(i.second, both.bit(1), both.bit(0));
+        let (out, enable) = (of_side(i.values), of_side(i.drives));
+        def!(line = m.instance(&Pad::new(1).pull_up(), PadIn { out, enable, outside: i.line }));
+        SidesOut { is_low: !line.line }
+    }
+}
+
+/// The second side drives 0, then the first side drives it, then none drives.
+const SIDES_BENCH: &str = "module bench;
+    reg second;
+    reg [1:0] drives, values;
+    wire line, is_low;
+    pullup (line);
+    sides dut (.clk(1'b0), .rst(1'b0), .second(second), .drives(drives), .values(values), .line(line), .is_low(is_low));
+    initial begin
+        second = 1; drives = 2'b10; values = 2'b01; #1 $write(\"%b\", is_low);
+        second = 0; drives = 2'b01; values = 2'b10; #1 $write(\"%b\", is_low);
+        second = 1; drives = 2'b01; values = 2'b01; #1 $write(\"%b\", is_low);
+        second = 0; drives = 2'b10; values = 2'b10; #1 $write(\"%b\", is_low);
+    end
+endmodule
+";
+
+#[test]
+fn a_choice_decides_whether_a_pad_drives_and_another_one_what() {
+    if let Some(printed) = printed(&elaborate(&Sides).unwrap(), SIDES_BENCH) {
+        assert_eq!(printed, "1100");
+    }
 }
 
 block! {

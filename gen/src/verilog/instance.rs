@@ -3,6 +3,7 @@
 use super::border::{made_clocks, port_of_pad};
 use super::foreign::{MODELS, instantiate};
 use super::layout::{range, with_place};
+use super::literal::Style;
 use super::printer::Printer;
 use std::ops::Range;
 use tilewright_circuit::ir::{Instance, Module, NodeId};
@@ -47,13 +48,18 @@ impl Printer<'_> {
         port: &str,
         connections: &[(String, String)],
     ) -> Vec<String> {
-        let value = |name: &str| connections.iter().find(|(port, _)| port == name).map_or("", |(_, value)| value);
+        let line = self.name(instance.outputs[0]).to_string();
         let released = format!("{}'bz", self.module.width(instance.outputs[0]));
+        let [out_value, enable] = ["out", "enable"].map(|name| {
+            let mut inputs = child.inputs.iter().zip(&instance.inputs);
+            let (_, &value) = inputs.find(|(port, _)| port.name == name).expect("a pad has these inputs");
+            self.operand(value, Style::Count)
+        });
         let mut out = vec![format!("`ifdef {MODELS}")];
         out.extend(instantiate(child, &instance.name, (connections, Vec::new()), Some(instance.loc)));
         out.push("`else".to_string());
-        out.push(format!("assign {port} = {} ? {} : {released};", value("enable"), value("out")));
-        out.push(format!("assign {} = {port};", value("line")));
+        out.push(format!("assign {port} = {enable} ? {out_value} : {released};"));
+        out.push(format!("assign {line} = {port};"));
         out.push("`endif".to_string());
         out
     }
