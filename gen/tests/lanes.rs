@@ -113,6 +113,15 @@ fn constants_of_the_lanes_that_decide() {
     clean(vec![awkward::decided()]);
 }
 
+#[test]
+fn constants_that_are_combined() {
+    let text = clean(vec![awkward::greatest_of_constants()]);
+    // 5, 5 and 3 in two bits, less 0, 2 and 2.
+    for part in ["assign greatest = 2'd3;", "assign least = 2'd1;"] {
+        assert!(text.contains(part), "{text}");
+    }
+}
+
 /// A depth that needs a guard, and one that does not.
 #[test]
 fn data_that_is_read_before_its_memory() {

@@ -1,7 +1,7 @@
 //! Values of operators whose operands are constants.
 
 use tilewright_circuit::Bits;
-use tilewright_circuit::ir::{Binary, NodeId, Op};
+use tilewright_circuit::ir::{Binary, NodeId, Op, Reduction, Relation};
 
 /// The operands of an operator that [`of`] can compute.
 pub fn operands(op: &Op) -> Option<Vec<NodeId>> {
@@ -38,6 +38,15 @@ pub fn binary(op: Binary, a: &Bits, b: &Bits) -> Option<Bits> {
         Binary::Mul | Binary::MulSigned => a.width() + b.width() <= 128,
     };
     is_cheap.then(|| op.apply(a, b))
+}
+
+/// Two lanes combined, if that is cheap to compute.
+pub fn combined(by: Reduction, a: &Bits, b: &Bits) -> Option<Bits> {
+    match by.operator() {
+        Some(operator) => binary(operator, a, b),
+        None if Relation::Lt.holds(false, a, b) == (by == Reduction::Min) => Some(a.clone()),
+        None => Some(b.clone()),
+    }
 }
 
 /// The lowest and the highest value of a width.

@@ -81,6 +81,20 @@ pub fn decided() -> Module {
     b.module.clone()
 }
 
+/// The greatest of sums of constants, less a constant each.
+pub fn greatest_of_constants() -> Module {
+    let b = &mut Build::new("greatest_of_constants");
+    let rows = [[0, 3, 2], [2, 3, 0], [2, 1, 0]].map(|row| list(b, 2, &row));
+    let grid = b.stack(&rows, 0);
+    let (sums, less) = (b.reduce(Reduction::Add, grid, 1), list(b, 2, &[0, 2, 2]));
+    let differences = b.node(Op::Binary(Binary::Sub, sums, less), 2, Shape::Row(3));
+    let greatest = b.reduce(Reduction::Max, differences, 0);
+    b.output("greatest", greatest);
+    let least = b.reduce(Reduction::Min, differences, 0);
+    b.output("least", least);
+    b.module.clone()
+}
+
 /// A row of memories of this many words; a grid reads their data, and the row reads the grid.
 pub fn read_ahead(depth: u32) -> Module {
     let b = &mut Build::new("read_ahead");

@@ -34,6 +34,22 @@ impl Fold {
         Some(self.list(id, &values))
     }
 
+    /// Lanes along an axis combined, if all lanes are constants.
+    pub(super) fn combined_constants(&mut self, id: NodeId, by: Reduction, of: NodeId, axis: u32) -> Option<Outcome> {
+        let (from, shape) = (self.module.shape(of), self.module.shape(id));
+        if from.lanes() > MOST_LANES {
+            return None;
+        }
+        let values = values(&self.module, of)?;
+        let lane = |across: u32| {
+            let mut lanes = (0..from.extent(axis)).map(|along| &values[from.lane(axis, along, across) as usize]);
+            let first = lanes.next()?.clone();
+            lanes.try_fold(first, |all, value| constant::combined(by, &all, value))
+        };
+        let values = (0..shape.lanes()).map(lane).collect::<Option<Vec<Bits>>>()?;
+        Some(if shape.is_plain() { Is(Op::Const(values[0].clone())) } else { self.list(id, &values) })
+    }
+
     /// These constants in the lanes of `id`.
     fn list(&mut self, id: NodeId, values: &[Bits]) -> Outcome {
         let (shape, width) = (self.module.shape(id), self.width(id));

@@ -107,6 +107,9 @@ impl Fold {
         if self.extent(of, axis) == 1 {
             return self.lane(of, axis, 0);
         }
+        if let Some(constants) = self.combined_constants(id, by, of, axis) {
+            return constants;
+        }
         let mut level: Vec<NodeId> = match &self.module.node(of).op {
             Op::Const(value) if !matches!(by, Reduction::Xor | Reduction::Add) => {
                 return Is(Op::Const(value.clone()));
