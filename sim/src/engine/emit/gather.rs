@@ -26,7 +26,7 @@ impl Emitter<'_, '_> {
                 let place = self.addresses.of(of);
                 let address = self.address(place, strip.within.expect("it has begun"));
                 // Its own strips have other sizes.
-                let aligned = (strip.size * place.element).is_multiple_of(self.builder.vector_bits());
+                let aligned = (strip.size() * place.element).is_multiple_of(self.builder.vector_bits());
                 self.load_span(strip, id, address, place, 0, aligned);
             }
             Access::Near(of, by) => {
@@ -66,7 +66,7 @@ impl Emitter<'_, '_> {
                 emitter.builder.min(from, limit)
             }),
             Number::Given(at) => {
-                let numbers: Vec<Value> = (0..strip.size).map(|lane| self.lane_number(strip, at, lane, of)).collect();
+                let numbers: Vec<Value> = (0..strip.size()).map(|lane| self.lane_number(strip, at, lane, of)).collect();
                 let mut numbers = numbers.into_iter();
                 self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
             }
@@ -82,7 +82,7 @@ impl Emitter<'_, '_> {
         mut from: impl FnMut(&mut Self, Value) -> Value,
     ) {
         let width = self.function.cell(id).width;
-        for lane in 0..strip.size {
+        for lane in 0..strip.size() {
             let at = self.existing(strip, lane);
             let from = from(self, at);
             let mut single = std::mem::take(&mut self.scalars);
@@ -109,7 +109,7 @@ impl Emitter<'_, '_> {
     pub(super) fn repeat_lanes(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, times: u32) {
         let (first, _) = self.divided(strip.first.expect("it has begun"), strip.division.lanes, times);
         let mut single = std::mem::take(&mut self.scalars);
-        for group in 0..strip.size / times {
+        for group in 0..strip.size() / times {
             // Padding lanes may load what follows the last lane.
             let lane = self.builder.add_constant(first, i64::from(group));
             self.load_lane(id, of, lane);
@@ -134,7 +134,7 @@ impl Emitter<'_, '_> {
                 self.scalars.clean(self.builder, loaded)[0]
             })
             .collect();
-        let all: Vec<Value> = row.iter().copied().cycle().take(strip.size as usize).collect();
+        let all: Vec<Value> = row.iter().copied().cycle().take(strip.size() as usize).collect();
         strip.lanes.gather(self.builder, id, width, &all);
     }
 
@@ -151,7 +151,7 @@ impl Emitter<'_, '_> {
 
     /// Loads these lanes for the first strip, and lanes `step` further on for each following one.
     fn gather_regular(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, lanes: &[u32], step: u32) {
-        let (number, _) = self.divided(strip.first.expect("it has begun"), strip.division.lanes, strip.size);
+        let (number, _) = self.divided(strip.first.expect("it has begun"), strip.division.lanes, strip.size());
         let (place, before) = (self.addresses.of(of), self.scaled(number, step as usize));
         let address = self.address(place, before);
         let of_vectors = lanes.chunks((self.builder.vector_bits() / place.integer()) as usize);

@@ -88,7 +88,7 @@ impl Emitter<'_, '_> {
         let at = self.memories[word.0 as usize];
         let (start, _) = strip.words[&word];
         let kind = Type::integer(at.element());
-        let size = strip.size;
+        let size = strip.size();
         let read = |lane| {
             let number = self.limbs(strip, from, lane)[0];
             let number = self.of_lanes(number, self.function.cell(from).width, at.lanes);
@@ -110,7 +110,7 @@ impl Emitter<'_, '_> {
             return;
         }
         let mut lanes = Vec::new();
-        for lane in 0..strip.size {
+        for lane in 0..strip.size() {
             let number = self.limbs(strip, address, lane)[0];
             let (base, offset) = self.lane_base(strip, at, lane);
             let word = self.word(at, number, base);
@@ -186,7 +186,7 @@ impl Emitter<'_, '_> {
         let singles = strip.save();
         self.branch(any, |emitter| {
             emitter.note_write();
-            for lane in 0..strip.size {
+            for lane in 0..strip.size() {
                 let number = emitter.limbs(strip, address, lane)[0];
                 let enabled = strip.lanes.extract(emitter.builder, enable, lane);
                 let enabled = emitter.builder.truncate(Type::I8, enabled);

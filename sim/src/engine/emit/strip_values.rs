@@ -17,8 +17,6 @@ use crate::engine::strips::{Comparison, Type, Value};
 #[derive(Debug)]
 pub(super) struct Strip {
     pub division: Division,
-    /// Lanes at a time.
-    pub size: u32,
     /// From the last lanes to the first.
     descends: bool,
     pub lanes: Lanes,
@@ -40,11 +38,15 @@ impl Strip {
     /// The strips of these loops, in vectors of so many bits.
     pub fn new(nest: &Nest, vector: u32) -> Strip {
         let &Nest { division, descends, .. } = nest;
-        let size = division.strip;
         let singles = Vec::new();
         let (addresses, memories, words) = (HashMap::new(), HashMap::new(), HashMap::new());
-        let lanes = Lanes::new(size, vector);
-        Strip { division, size, descends, lanes, singles, first: None, within: None, addresses, memories, words }
+        let lanes = Lanes::new(division.strip, vector);
+        Strip { division, descends, lanes, singles, first: None, within: None, addresses, memories, words }
+    }
+
+    /// Lanes at a time.
+    pub fn size(&self) -> u32 {
+        self.division.strip
     }
 
     /// Defines a value in one lane.
@@ -66,7 +68,7 @@ impl Strip {
 impl Emitter<'_, '_> {
     /// Begins the strip at offset `within` of the row that starts at `start`.
     pub(super) fn enter(&mut self, strip: &mut Strip, start: Option<Value>, within: Value) {
-        strip.singles = vec![Scalars::default(); strip.size as usize];
+        strip.singles = vec![Scalars::default(); strip.size() as usize];
         strip.addresses.clear();
         strip.memories.clear();
         strip.within = Some(within);
@@ -143,7 +145,7 @@ impl Emitter<'_, '_> {
             return;
         }
         let cell = self.function.cell(id);
-        for lane in 0..strip.size {
+        for lane in 0..strip.size() {
             if strip.lanes.has(id) {
                 let clean = strip.lanes.extract(self.builder, id, lane);
                 strip.singles[lane as usize].define(id, Scalar::clean(cell.width, clean));
@@ -201,7 +203,7 @@ impl Emitter<'_, '_> {
         }
         self.singles(strip, id);
         let at = self.strip_address(strip, place);
-        for lane in 0..strip.size {
+        for lane in 0..strip.size() {
             let offset = offset(place.lane(lane));
             strip.singles[lane as usize].store(self.builder, id, 64, at, offset);
         }
@@ -252,8 +254,8 @@ impl Emitter<'_, '_> {
     fn accumulate(&mut self, strip: &mut Strip, id: ValueId, by: Reduction, of: ValueId, group: u32) {
         self.singles(strip, of);
         let (place, width) = (self.addresses.of(id), self.function.cell(id).width);
-        for number in 0..strip.size {
-            let lane = if strip.descends { strip.size - 1 - number } else { number };
+        for number in 0..strip.size() {
+            let lane = if strip.descends { strip.size() - 1 - number } else { number };
             let at = self.builder.add_constant(strip.first.expect("it has begun"), i64::from(lane));
             // With one group, padding lanes add nothing to it.
             let (target, within) = match group == strip.division.lanes {

@@ -66,7 +66,11 @@ impl Loops<'_> {
         let sources = |ids: &[ValueId]| list(text, &ids.iter().map(|&id| source(id)).collect::<Vec<_>>());
         let word = |&(memory, at): &(u32, ValueId)| format!("{}[{}]", text.memory(memory), text.name(source(at)));
         let words: Vec<String> = nest.words.iter().map(word).collect();
-        let taken = |is_so: fn(&Access) -> bool| self.taken(text, nest, is_so);
+        let taken = self.taken(nest);
+        let taken = |is_so: fn(&Access) -> bool| {
+            let cells = taken.iter().filter(|(_, access)| is_so(access));
+            list(text, &cells.map(|(id, _)| *id).collect::<Vec<_>>())
+        };
         let parts = [
             ("before all", sources(&nest.uniforms)),
             ("before all, repeated in a strip", sources(&nest.tiles)),
@@ -85,15 +89,15 @@ impl Loops<'_> {
         [format!("{rows}strips of {}", division.strip)].into_iter().chain(lines).collect()
     }
 
-    /// The cells whose lanes are taken from others in one of these ways, and not before the loop.
-    fn taken(&self, text: &Text, nest: &Nest, is_so: fn(&Access) -> bool) -> String {
+    /// The cells whose lanes are taken from others, and not before the loop.
+    fn taken(&self, nest: &Nest) -> Vec<(ValueId, Access)> {
         let is_before = |id: &ValueId| nest.tiles.contains(id) || nest.of_row.contains(id);
         let is_stored = |id: ValueId| self.addresses.has(id);
         let of = |id: ValueId| Access::of(self.function, self.strips, nest.division, &is_stored, id);
         let cells = nest.work.iter().filter_map(|work| match *work {
-            Work::Cell(id) if !is_before(&id) => of(id).filter(is_so).map(|_| id),
+            Work::Cell(id) if !is_before(&id) => Some((id, of(id)?)),
             _ => None,
         });
-        list(text, &cells.collect::<Vec<_>>())
+        cells.collect()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::super::operation::{Binary, Load, Unary};
 use super::super::value::{Bytes, Type};
+use super::possible::{Possible, lane, lanes};
 use super::{Base, Extent};
 
 /// What is known of a value.
@@ -12,7 +13,7 @@ pub(in crate::engine) enum Fact {
     /// An address: where it begins, and at least and at most how many bytes further it is.
     Address(Base, i64, i64),
     /// A vector, or an integer, in which only these bits may be 1.
-    Vector(Bits),
+    Vector(Possible),
 }
 
 use Fact::{Address, Number, Vector};
@@ -27,63 +28,10 @@ pub(super) fn smear(number: u64) -> u64 {
     if number == 0 { 0 } else { ones(number.ilog2() + 1) }
 }
 
-/// Bits of a vector, or of a number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(in crate::engine) struct Bits([u64; 4]);
-
-impl Bits {
-    const ALL: Bits = Bits([u64::MAX; 4]);
-
-    /// Those of a number.
-    fn of(number: u64) -> Bits {
-        Bits([number, 0, 0, 0])
-    }
-
-    pub fn of_bytes(bytes: &Bytes) -> Bits {
-        Bits(std::array::from_fn(|i| u64::from_le_bytes(std::array::from_fn(|byte| bytes[8 * i + byte]))))
-    }
-
-    /// Those of a number that has no more.
-    pub fn number(self) -> u64 {
-        self.0[0]
-    }
-
-    fn both(self, other: Bits, of: impl Fn(u64, u64) -> u64) -> Bits {
-        Bits(std::array::from_fn(|i| of(self.0[i], other.0[i])))
-    }
-
-    fn and(self, other: Bits) -> Bits {
-        self.both(other, |x, y| x & y)
-    }
-
-    fn or(self, other: Bits) -> Bits {
-        self.both(other, |x, y| x | y)
-    }
-
-    /// The same, with those of a lane replaced.
-    fn with_lane(mut self, ty: Type, i: u32, bits: u64) -> Bits {
-        let (low, all) = (i * ty.element(), ones(ty.element()));
-        let limb = &mut self.0[low as usize / 64];
-        *limb = *limb & !(all << (low % 64)) | (bits & all) << (low % 64);
-        self
-    }
-}
-
-/// Bits of each lane of a vector, where `of` gives those of a lane by number.
-fn lanes(ty: Type, of: impl Fn(u32) -> u64) -> Bits {
-    (0..ty.lanes()).fold(Bits::default(), |all, i| all.with_lane(ty, i, of(i)))
-}
-
-/// Bits of a lane.
-fn lane(ty: Type, bits: Bits, i: u32) -> u64 {
-    let low = i * ty.element();
-    bits.0[low as usize / 64] >> (low % 64) & ones(ty.element())
-}
-
 impl Fact {
     /// Nothing but its type.
     pub fn any(ty: Type) -> Fact {
-        if ty.is_vector() { Vector(Bits::ALL) } else { Number(0, ones(ty.element())) }
+        if ty.is_vector() { Vector(Possible::ALL) } else { Number(0, ones(ty.element())) }
     }
 
     pub fn constant(ty: Type, number: i64) -> Fact {
@@ -101,10 +49,10 @@ impl Fact {
     }
 
     /// The bits of a vector that may be 1, or of a number.
-    pub fn bits(self, ty: Type) -> Bits {
+    pub fn bits(self, ty: Type) -> Possible {
         match self {
             Vector(bits) => bits,
-            _ => Bits::of(smear(self.range(ty).1)),
+            _ => Possible::of(smear(self.range(ty).1)),
         }
     }
 
@@ -131,7 +79,7 @@ impl Fact {
             Load::SignExtended if each >> (stored - 1) != 0 => Fact::any(ty),
             _ if ty.is_vector() => Vector(lanes(ty, |_| each)),
             _ if integer == stored => Number(0, most.min(ones(stored))),
-            _ => Vector(Bits::of(each)),
+            _ => Vector(Possible::of(each)),
         }
     }
 
@@ -182,8 +130,8 @@ impl Fact {
     }
 
     /// The bits of a vector that may be 1.
-    fn vector(self) -> Bits {
-        if let Vector(bits) = self { bits } else { Bits::ALL }
+    fn vector(self) -> Possible {
+        if let Vector(bits) = self { bits } else { Possible::ALL }
     }
 
     /// Each bit of `x` where the mask is 1, else of `y`.
@@ -264,7 +212,7 @@ fn product(x: u64, y: u64, bits: u32) -> u64 {
 }
 
 /// The bits that may be 1 in a result of vectors with such bits.
-fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, Bits), (right, y): (Fact, Bits)) -> Bits {
+fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, Possible), (right, y): (Fact, Possible)) -> Possible {
     let all = ones(ty.element());
     let sized = |most: Option<u64>| most.filter(|most| *most <= all).map_or(all, smear);
     let each = |of: &dyn Fn(u64, u64) -> u64| lanes(ty, |i| of(lane(ty, x, i), lane(ty, y, i)));
@@ -295,6 +243,6 @@ fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, Bits), (right, y): (Fa
             let numbers = lane(ty, y, i);
             (0..16).filter(|byte| u64::from(*byte) & !numbers == 0).fold(0, |all, byte| all | lane(from, x, byte))
         }),
-        _ => Bits::ALL,
+        _ => Possible::ALL,
     }
 }

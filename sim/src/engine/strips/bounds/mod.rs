@@ -5,6 +5,7 @@
 //! So a program whose indices have lost a mask or a minimum is refused.
 
 mod fact;
+mod possible;
 
 use std::cell::RefCell;
 
@@ -13,7 +14,8 @@ use super::operation::{Binary, Comparison, Load, Operation, Unary};
 use super::program::{Loop, Program, Statement};
 use super::value::{Type, Value};
 pub(in crate::engine) use fact::Fact;
-use fact::{Bits, ones};
+use fact::ones;
+use possible::Possible;
 
 /// Where an address begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -244,7 +246,7 @@ impl Walk<'_> {
             Operation::Parameter | Operation::Call(..) => Fact::any(ty),
             Operation::Constant(number) => Fact::constant(ty, *number),
             Operation::Address(address) => Fact::Address(Base::Known(*address), 0, 0),
-            Operation::Bytes(bytes) => Fact::Vector(Bits::of_bytes(bytes)),
+            Operation::Bytes(bytes) => Fact::Vector(Possible::of_bytes(bytes)),
             Operation::Unary(Unary::Truncate, of) => {
                 let fact = Fact::unary(Unary::Truncate, ty, self.ty(*of), self.of(*of));
                 Fact::Number(fact.range(ty).0, fact.range(ty).1.min(self.bits(*of) & ones(ty.element())))
