@@ -97,15 +97,21 @@ pub enum Target {
     Functions,
     /// Strip programs with vectors of 64, 128 or 256 bits: each is checked and evaluated.
     Strips {
-        /// Bits of a vector.
+        /// Bits of a vector; a simulation with another number of them panics.
         vector: u32,
     },
 }
 
 impl Target {
     /// Bits of a vector.
+    ///
+    /// # Panics
+    ///
+    /// No target has vectors of so many bits.
     pub(crate) fn vector(self) -> u32 {
-        if let Target::Strips { vector } = self { vector } else { 128 }
+        let Target::Strips { vector } = self else { return 128 };
+        assert!(matches!(vector, 64 | 128 | 256), "a target has vectors of 64, 128 or 256 bits, and not of {vector}");
+        vector
     }
 }
 
@@ -174,5 +180,16 @@ impl Passes {
             target: Target::Code,
             guarded: cfg!(debug_assertions),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[should_panic(expected = "a target has vectors of 64, 128 or 256 bits, and not of 512")]
+    fn a_target_without_such_vectors_is_refused() {
+        Target::Strips { vector: 512 }.vector();
     }
 }

@@ -25,7 +25,7 @@ impl Lanes {
     pub fn load(&mut self, b: &mut Builder, id: ValueId, width: u32, from: Span) {
         let Span { storage, address, offset, aligned } = from;
         let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
-        // How many times the lanes would fill what they fill of a vector.
+        // A vector has room for so many strips.
         let parts = match self.vector / (self.strip * storage) {
             0 | 1 => {
                 let place = |i| offset + i * self.vector as i32 / 8;

@@ -78,17 +78,12 @@ pub(super) fn halves(b: &mut Builder, x: Value, y: Value, upper: bool) -> Value 
 /// So many of the lowest bits of a vector, to be stored. A float is stored by one instruction; an integer would have to
 /// be extracted.
 pub(super) fn lowest(b: &mut Builder, vector: Value, bits: u32) -> Value {
-    match bits {
-        128.. => b.cast(Type::vector(64, bits), vector),
-        32 | 64 => {
-            let floats = b.cast(b.vector(bits).floats(), vector);
-            b.lane(floats, 0)
-        }
-        _ => {
-            let integers = b.cast(b.vector(bits), vector);
-            b.lane(integers, 0)
-        }
+    if bits >= 128 {
+        return b.cast(Type::vector(64, bits), vector);
     }
+    let integers = b.vector(bits);
+    let numbers = b.cast(if bits >= 32 { integers.floats() } else { integers }, vector);
+    b.lane(numbers, 0)
 }
 
 /// A step that changes the size of elements.
