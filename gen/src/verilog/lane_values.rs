@@ -93,6 +93,7 @@ fn source(module: &Module, mut id: NodeId, mut lane: u32) -> Option<(NodeId, u32
         (id, lane) = match &module.node(id).op {
             Op::Wire(of) | Op::QuasiStatic(of, _) => (*of, lane),
             Op::Broadcast { of, axis } => (*of, shape.across(*axis, lane)),
+            Op::Lane { of, axis, index } => (*of, module.shape(*of).lane(*axis, *index, lane)),
             Op::Stack { parts, axis } => {
                 let (along, across) = place(*axis);
                 (parts[along as usize], across)

@@ -81,12 +81,13 @@ pub fn decided() -> Module {
     b.module.clone()
 }
 
-/// The greatest of sums of constants, less a constant each.
+/// The greatest and the least of sums of constants, less a constant each: one in a column of the same constants.
 pub fn greatest_of_constants() -> Module {
     let b = &mut Build::new("greatest_of_constants");
     let rows = [[0, 3, 2], [2, 3, 0], [2, 1, 0]].map(|row| list(b, 2, &row));
     let grid = b.stack(&rows, 0);
-    let (sums, less) = (b.reduce(Reduction::Add, grid, 1), list(b, 2, &[0, 2, 2]));
+    let sums = b.reduce(Reduction::Add, grid, 1);
+    let less = b.node(Op::Lane { of: grid, axis: 1, index: 0 }, 2, Shape::Row(3));
     let differences = b.node(Op::Binary(Binary::Sub, sums, less), 2, Shape::Row(3));
     let greatest = b.reduce(Reduction::Max, differences, 0);
     b.output("greatest", greatest);
