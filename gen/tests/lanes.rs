@@ -122,6 +122,11 @@ fn constants_that_are_combined() {
     }
 }
 
+#[test]
+fn constants_that_choices_pass_on() {
+    clean(vec![awkward::least_of_some_constants()]);
+}
+
 /// A depth that needs a guard, and one that does not.
 #[test]
 fn data_that_is_read_before_its_memory() {

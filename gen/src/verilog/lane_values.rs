@@ -3,11 +3,16 @@
 use super::constant;
 use super::fold::lower::WIDEST_VECTOR;
 use super::pattern::Pattern;
+use std::collections::BTreeMap;
 use tilewright_circuit::Bits;
 use tilewright_circuit::ir::{Module, NodeId, Op, Shape, Shift};
 
-/// The longest chain of operators through which a lane is computed.
-const DEEPEST: u32 = 6;
+/// The longest chain of operators through which a lane is computed: a tree of choices between thousands of lanes has no
+/// longer one.
+const DEEPEST: u32 = 32;
+
+/// The lanes of nodes that have been computed, with their values, if they are known.
+type Found = BTreeMap<(NodeId, u32), Option<Bits>>;
 
 /// The form of the constants of the lanes.
 pub enum LaneConstants {
@@ -50,37 +55,47 @@ fn along(shape: Shape, values: &[Bits]) -> Option<LaneConstants> {
 
 /// The value of every lane, also through names and through lanes taken from other lanes.
 pub fn values(module: &Module, id: NodeId) -> Option<Vec<Bits>> {
-    (0..module.shape(id).lanes()).map(|lane| computed(module, id, lane, 0)).collect()
+    let constant = |(id, _): (NodeId, u32)| match &module.node(id).op {
+        Op::Const(value) => Some(value.clone()),
+        _ => None,
+    };
+    (0..module.shape(id).lanes()).map(|lane| source(module, id, lane).and_then(constant)).collect()
 }
 
-/// The value of one lane, also if a few operators compute it from constants.
+/// The value of one lane, also if operators compute it from constants.
 pub fn known(module: &Module, id: NodeId, lane: u32) -> Option<Bits> {
-    computed(module, id, lane, DEEPEST)
+    computed(module, id, lane, DEEPEST, &mut Found::new())
 }
 
 /// The value of one lane, computed from constants through at most `depth` nested operators.
-fn computed(module: &Module, id: NodeId, lane: u32, depth: u32) -> Option<Bits> {
+fn computed(module: &Module, id: NodeId, lane: u32, depth: u32, found: &mut Found) -> Option<Bits> {
     let (id, lane) = source(module, id, lane)?;
-    let node = module.node(id);
-    if let Op::Const(value) = &node.op {
+    if let Op::Const(value) = &module.node(id).op {
         return Some(value.clone());
     }
-    if depth == 0 {
-        return None;
+    if let Some(value) = found.get(&(id, lane)) {
+        return value.clone();
     }
+    let value = operation(module, id, lane, depth.checked_sub(1)?, found);
+    found.insert((id, lane), value.clone());
+    value
+}
+
+/// The value of one lane of an operator.
+fn operation(module: &Module, id: NodeId, lane: u32, depth: u32, found: &mut Found) -> Option<Bits> {
+    let node = module.node(id);
+    let mut of = |id: NodeId| computed(module, id, lane, depth, found);
     if let Op::Mux { select, on_true, on_false } = node.op {
-        let chosen = if computed(module, select, lane, depth - 1)?.is_zero() { on_false } else { on_true };
-        return computed(module, chosen, lane, depth - 1);
+        return if of(select)?.is_zero() { of(on_false) } else { of(on_true) };
     }
-    if let Op::Shift(Shift::Left | Shift::Right, of, amount) = node.op {
+    if let Op::Shift(Shift::Left | Shift::Right, shifted, amount) = node.op {
         // Beyond the width whatever is shifted.
-        let amount = computed(module, amount, lane, depth - 1)?;
-        let is_beyond = amount.to_u64().is_none_or(|places| places >= u64::from(module.width(of)));
+        let amount = of(amount)?;
+        let is_beyond = amount.to_u64().is_none_or(|places| places >= u64::from(module.width(shifted)));
         return is_beyond.then(|| Bits::zero(node.width));
     }
     let operands = constant::operands(&node.op)?;
-    let operands = operands.iter().map(|&operand| computed(module, operand, lane, depth - 1));
-    let operands: Vec<Bits> = operands.collect::<Option<_>>()?;
+    let operands: Vec<Bits> = operands.into_iter().map(of).collect::<Option<_>>()?;
     constant::of(&node.op, node.width, &operands.iter().collect::<Vec<_>>())
 }
 

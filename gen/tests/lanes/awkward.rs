@@ -96,6 +96,31 @@ pub fn greatest_of_constants() -> Module {
     b.module.clone()
 }
 
+/// The least of sixteen sums by a tree of choices; some lanes are known to be zero, and so are some choices.
+pub fn least_of_some_constants() -> Module {
+    let b = &mut Build::new("least_of_some_constants");
+    let x = b.input("x", 3, Shape::Plain);
+    let zero = b.constant(3, 0, Shape::Plain);
+    let parts: Vec<NodeId> = (0..16).map(|lane| if lane < 8 || lane == 9 { zero } else { x }).collect();
+    let single = b.stack(&parts, 0);
+    let row = Shape::Row(16);
+    let twice = b.node(Op::Binary(Binary::Add, single, single), 3, row);
+    let mut lanes = b.node(Op::Binary(Binary::Sub, twice, single), 3, row);
+    for count in [8, 4, 2, 1] {
+        let half = |b: &mut Build, add| {
+            let index = Affine { mul: 2, add, div: 1 };
+            b.node(Op::Map { of: lanes, axis: 0, index, edge: None }, 3, Shape::Row(count))
+        };
+        let (even, odd) = (half(b, 0), half(b, 1));
+        let operands = [odd, even];
+        let less = b.node(Op::Compare { relation: Relation::Lt, signed: false, operands }, 1, Shape::Row(count));
+        lanes = b.mux(less, odd, even);
+    }
+    let least = b.node(Op::Lane { of: lanes, axis: 0, index: 0 }, 3, Shape::Plain);
+    b.output("least", least);
+    b.module.clone()
+}
+
 /// A row of memories of this many words; a grid reads their data, and the row reads the grid.
 pub fn read_ahead(depth: u32) -> Module {
     let b = &mut Build::new("read_ahead");
