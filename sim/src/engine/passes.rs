@@ -1,5 +1,7 @@
 //! The optimisation passes, each of which tests can switch off.
 
+use super::cranelift::VECTOR;
+
 /// The optimisation passes. None changes the behaviour of a circuit; tests run designs with and without them to show
 /// it.
 ///
@@ -109,7 +111,7 @@ impl Target {
     ///
     /// No target has vectors of so many bits.
     pub(crate) fn vector(self) -> u32 {
-        let Target::Strips { vector } = self else { return 128 };
+        let Target::Strips { vector } = self else { return VECTOR };
         assert!(matches!(vector, 64 | 128 | 256), "a target has vectors of 64, 128 or 256 bits, and not of {vector}");
         vector
     }

@@ -1,6 +1,7 @@
-//! The strip programs of every block of the catalogues, with vectors of each width: their text is read as it was printed, every access is shown
-//! to stay in its allocation, and old values are read before they change. Programs that have lost a mask or a minimum
-//! of an address are refused, unless its index stays in the padding; so are programs that read what they have changed.
+//! The strip programs of every block of the catalogues, with vectors of each width: their text is read as it was
+//! printed, every access is shown to stay in its allocation, and old values are read before they change. Programs that
+//! have lost a mask or a minimum of an address are refused, unless its index stays in the padding; so are programs that
+//! read what they have changed.
 
 use tilewright_cosim::workers;
 use tilewright_hdl::catalog::Entry;
@@ -11,19 +12,19 @@ fn the_programs_of_every_block_pass_the_checks_and_mutants_do_not() {
     let entries: Vec<&Entry> =
         tilewright_rtl::catalog::ENTRIES.iter().chain(tilewright_blocks::catalog::ENTRIES).collect();
     let targets = [Target::Code, Target::Strips { vector: 64 }, Target::Strips { vector: 256 }];
-    let all: Vec<(&Entry, Target)> = entries.iter().flat_map(|entry| targets.map(|target| (*entry, target))).collect();
-    let found = workers::each(&all, |(entry, target)| {
+    let cases: Vec<(&Entry, Target)> =
+        entries.iter().flat_map(|entry| targets.map(|target| (*entry, target))).collect();
+    let all = workers::each(&cases, |(entry, target)| {
         let design = entry.design(&entry.values([]).unwrap()).unwrap();
         examined(&design, &Passes { target: *target, ..Passes::default() })
     });
-    let wrong: Vec<String> = all
+    let wrong: Vec<String> = cases
         .iter()
-        .zip(&found)
+        .zip(&all)
         .flat_map(|((entry, target), found)| {
             found.wrong.iter().map(move |wrong| format!("{} for {target:?}: {wrong}", entry.name))
         })
         .collect();
-    let all = found;
     assert!(wrong.is_empty(), "{} programs are wrong, the first of them:\n{}", wrong.len(), wrong[0]);
     let sum = |of: fn(&Examined) -> usize| all.iter().map(of).sum::<usize>();
     let (programs, accesses) = (sum(|it| it.programs), sum(|it| it.accesses));

@@ -24,7 +24,7 @@ use crate::engine::strips::{Builder, Examined, Kept, Notes, Only, Program, Surro
 type Entry = unsafe extern "C" fn(*mut u8, u64, *mut u64) -> u64;
 
 /// Bits of a vector in code.
-pub(super) const VECTOR: u32 = 128;
+pub(in crate::engine) const VECTOR: u32 = 128;
 /// Bytes of stack that every caller of code is assumed to have left.
 const STACK: usize = 64 << 10;
 /// Bytes of stack for functions that code calls.

@@ -7,7 +7,7 @@ mod shared;
 mod target;
 mod translate;
 
-pub(super) use jit::{Code, Jit, unsupported};
+pub(super) use jit::{Code, Jit, VECTOR, unsupported};
 pub(crate) use shared::SharedCode;
 pub use target::Unsupported;
 #[cfg(test)]
