@@ -124,9 +124,14 @@ pub(super) fn pick(
         NUMBER => number,
         _ => rewriter.add(Kind::Slice(number, 0), lanes, NUMBER),
     };
-    let apart = rewriter.constant(Bits::new(NUMBER, axis.inner.into()), lanes);
-    let product = rewriter.add(Kind::Binary(Binary::Mul, number, apart), lanes, 2 * NUMBER);
-    let along = rewriter.add(Kind::Slice(product, 0), lanes, NUMBER);
+    let along = match axis.inner {
+        1 => number,
+        inner => {
+            let apart = rewriter.constant(Bits::new(NUMBER, inner.into()), lanes);
+            let product = rewriter.add(Kind::Binary(Binary::Mul, number, apart), lanes, 2 * NUMBER);
+            rewriter.add(Kind::Slice(product, 0), lanes, NUMBER)
+        }
+    };
     let first = table(rewriter, lanes, lanes, NUMBER, |lane| u64::from(axis.at(lane, 0)));
     let at = rewriter.add(Kind::Binary(Binary::Add, along, first), lanes, NUMBER);
     let picked = target.gather(rewriter, of, at, lanes, width);
