@@ -1,6 +1,6 @@
 //! The loops of small circuits: what stands before them, what they carry, and where registers change.
 
-use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, row};
+use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, grid, row};
 use tilewright_sim::Pass;
 
 use crate::passes::{after, is};
@@ -124,6 +124,7 @@ fn words_at_one_address_are_found_before_the_loop() {
           strips of 16
           before all: at write
           found before all: words[at]
+          taken by one load: %1
           %1 : 64 x 8 = words[%0] as stored
           %3 : 64 x 8 = words_read + 1
           words_read <- %1
@@ -157,7 +158,7 @@ fn lanes_of_others_are_taken_together_where_that_is_possible() {
         r"
         an edge of clk:
         loop over 20 lanes:
-          strips of 16
+          strips of 16, the last with 4 lanes
           taken lane by lane: %8
           %8 : 20 x 8 = lane %7 of words
           fifths <- %8
@@ -171,8 +172,63 @@ fn lanes_of_others_are_taken_together_where_that_is_possible() {
           %4 : 16 x 8 = %3 ? %2 : 0
           next <- %4
           %6 : 16 x 8 = lane %5 of words
-          words <- %1
+          words <- %1, at the end
           pairs <- %6
+        ",
+    );
+}
+
+block! {
+    /// Six wide words: each takes the one before and the one behind. Beside them rows of three, each with a number.
+    struct Numbered;
+    in NumberedIn { x: bits(70), at: bits(2) }
+    out NumberedOut { all: bits(70) }
+}
+
+impl Numbered {
+    fn build(&self, m: Module, i: NumberedIn) -> NumberedOut {
+        let words = m.reg("words", bits(70).of(row(6))).reset(0);
+        words.next(words.previous(i.x) ^ words.following(0));
+        let numbers = m.reg("numbers", bits(2).of(row(6))).reset(0);
+        numbers.next(numbers.previous(i.at));
+        let threes = m.reg("threes", bits(70).of(grid(6, 3))).reset(0);
+        threes.next(!*threes);
+        let picked = m.pipe("picked", threes.columns().pick(*numbers));
+        NumberedOut { all: words.xor_all() ^ picked.xor_all() }
+    }
+}
+
+#[test]
+fn numbers_of_lanes_that_may_not_exist_are_kept_among_those_that_do() {
+    is(
+        &after(&Numbered, Pass::Loops),
+        r"
+        an edge of clk:
+        loop over 6 lanes, the last first:
+          strips of 4, the last with 2 lanes
+          before all: x at
+          taken by one load: %9
+          taken lane by lane: %0 (at most lane 5) %4 (or its own) %17 (at most lane 17)
+          %0  : 6 x 70 = lane i + 1 of words
+          %2  : 6 x 70 = %1 ? %0 : 0
+          %4  : 6 x 70 = lane i - 1 of words
+          %6  : 6 x 70 = %5 ? %4 : %3
+          %7  : 6 x 70 = %6 ^ %2
+          words <- %7, at the end
+          %9  : 6 x 2  = lane i - 1 of numbers
+          %10 : 6 x 2  = %5 ? %9 : %8
+          %13 : 6 x 1  = numbers < 3
+          %14 : 6 x 2  = %13 ? numbers : 0
+          numbers <- %10
+          %15 : 6 x 32 = zext %14
+          %16 : 6 x 32 = %15 + %12
+          %17 : 6 x 70 = lane %16 of threes
+          %18 : 6 x 70 = %13 ? %17 : 0
+          picked <- %18
+        loop over 18 lanes:
+          strips of 4, the last with 2 lanes
+          %11 : 18 x 70 = not threes
+          threes <- %11
         ",
     );
 }

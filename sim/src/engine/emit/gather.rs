@@ -5,15 +5,11 @@ use super::strip_values::Strip;
 use super::{Emitter, offset};
 use crate::engine::layout::Place;
 use crate::engine::plan::access::{Access, Number};
+use crate::engine::plan::clamp::Clamp;
 use crate::engine::program::{Cell, Kind, ValueId};
 use crate::engine::strips::{Type, Value};
 
 impl Emitter<'_, '_> {
-    /// How a cell's lanes are taken from others, if they are.
-    pub(super) fn access(&self, strip: &Strip, id: ValueId) -> Option<Access> {
-        Access::of(self.function, self.strips, strip.division, &|id| self.addresses.has(id), id)
-    }
-
     /// Takes the lanes of a cell from others.
     pub(super) fn take(&mut self, strip: &mut Strip, id: ValueId, access: Access) {
         match access {
@@ -36,7 +32,10 @@ impl Emitter<'_, '_> {
             }
             Access::Groups(of, times) => self.repeat_lanes(strip, id, of, times),
             Access::Regular { of, lanes, step } => self.gather_regular(strip, id, of, &lanes, step),
-            Access::Each(of, number) => self.each(strip, id, of, number),
+            Access::Each(of, number, clamp) => self.each(strip, id, (of, number), clamp),
+            Access::Words((memory, address)) => self.read_together(strip, id, memory, address),
+            Access::EachWord((memory, address)) => self.read_each(strip, id, memory, address),
+            Access::WordOf(word, from, clamp) => self.read_of(strip, id, word, (from, clamp)),
         }
     }
 
@@ -48,7 +47,7 @@ impl Emitter<'_, '_> {
     }
 
     /// Loads a lane for each lane of the strip.
-    fn each(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, number: Number) {
+    fn each(&mut self, strip: &mut Strip, id: ValueId, (of, number): (ValueId, Number), clamp: Clamp) {
         let total = strip.division.lanes;
         match number {
             Number::Group(group) => self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, total, group).0),
@@ -59,18 +58,24 @@ impl Emitter<'_, '_> {
             }),
             Number::Before(by) => self.collect(strip, id, of, |emitter, lane| {
                 let from = emitter.builder.add_constant(lane, -i64::from(by));
-                // A lane before the first one becomes a number far beyond the last. In its place the lane itself is
-                // loaded, or the last one: these have not changed yet.
-                let last = i64::from(total) - 1;
-                let limit = if by > 0 { lane } else { emitter.builder.constant(Type::I64, last) };
-                emitter.builder.min(from, limit)
+                emitter.clamped(from, lane, clamp)
             }),
             Number::Given(at) => {
-                let numbers: Vec<Value> = (0..strip.size()).map(|lane| self.lane_number(strip, at, lane, of)).collect();
-                let mut numbers = numbers.into_iter();
+                let numbers = (0..strip.size()).map(|lane| self.lane_number(strip, at, lane, clamp));
+                let mut numbers = numbers.collect::<Vec<Value>>().into_iter();
                 self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
             }
         }
+    }
+
+    /// The number of a lane, or what takes its place; `own` is that of the lane which asks.
+    pub(super) fn clamped(&mut self, number: Value, own: Value, clamp: Clamp) -> Value {
+        let most = match clamp {
+            Clamp::None => return number,
+            Clamp::Last(last) => self.builder.constant(Type::I64, i64::from(last)),
+            Clamp::Own => own,
+        };
+        self.builder.min(number, most)
     }
 
     /// Loads one lane of `of` by number for each lane of the strip.
@@ -98,11 +103,7 @@ impl Emitter<'_, '_> {
     /// The number of a lane of the strip, or of the last existing lane.
     pub(super) fn existing(&mut self, strip: &Strip, lane: u32) -> Value {
         let at = self.builder.add_constant(strip.first.expect("it has begun"), i64::from(lane));
-        if !strip.division.is_padded() {
-            return at;
-        }
-        let last = self.builder.constant(Type::I64, i64::from(strip.division.lanes - 1));
-        self.builder.min(at, last)
+        self.clamped(at, at, Clamp::of_strip(strip.division))
     }
 
     /// Loads the lanes that are each repeated in the strip.
@@ -138,15 +139,15 @@ impl Emitter<'_, '_> {
         strip.lanes.gather(self.builder, id, width, &all);
     }
 
-    /// The number in a lane of `at`, of a lane of `of`.
-    fn lane_number(&mut self, strip: &mut Strip, at: ValueId, lane: u32, of: ValueId) -> Value {
-        if self.function.is_table(at) && !strip.lanes.has(at) {
-            // All numbers of a table are known to be numbers of lanes.
+    /// The number in a lane of `at`, kept among those that exist.
+    pub(super) fn lane_number(&mut self, strip: &mut Strip, at: ValueId, lane: u32, clamp: Clamp) -> Value {
+        let number = if self.function.is_table(at) {
             self.singles(strip, at);
-            return strip.singles[lane as usize].clean(self.builder, at)[0];
-        }
-        let number = self.limbs(strip, at, lane)[0];
-        self.of_lanes(number, self.function.cell(at).width, self.function.cell(of).lanes)
+            strip.singles[lane as usize].clean(self.builder, at)[0]
+        } else {
+            self.limbs(strip, at, lane)[0]
+        };
+        self.clamped(number, number, clamp)
     }
 
     /// Loads these lanes for the first strip, and lanes `step` further on for each following one.

@@ -6,6 +6,8 @@ use super::strip_values::Strip;
 use super::{Emitter, offset};
 use crate::engine::function::Sink;
 use crate::engine::layout::memory_at::MemoryAt;
+use crate::engine::plan::access::Word;
+use crate::engine::plan::clamp::Clamp;
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::{Comparison, Region, Type, Value};
 
@@ -84,14 +86,13 @@ impl Emitter<'_, '_> {
     }
 
     /// Reads, for each lane, the word of the lane with the number in `from`, at the address common to all.
-    pub(super) fn read_lanes_at(&mut self, strip: &mut Strip, id: ValueId, word: (u32, ValueId), from: ValueId) {
+    pub(super) fn read_of(&mut self, strip: &mut Strip, id: ValueId, word: Word, (from, clamp): (ValueId, Clamp)) {
         let at = self.memories[word.0 as usize];
         let (start, _) = strip.words[&word];
         let kind = Type::integer(at.element());
         let size = strip.size();
         let read = |lane| {
-            let number = self.limbs(strip, from, lane)[0];
-            let number = self.of_lanes(number, self.function.cell(from).width, at.lanes);
+            let number = self.lane_number(strip, from, lane, clamp);
             let offset = self.scaled(number, at.words.word);
             let address = self.builder.add(start, offset);
             let word = self.builder.load(kind, address, 0);
@@ -101,14 +102,15 @@ impl Emitter<'_, '_> {
         strip.lanes.gather(self.builder, id, at.width, &lanes);
     }
 
+    /// Reads the words of all lanes at the address common to them.
+    pub(super) fn read_together(&mut self, strip: &mut Strip, id: ValueId, memory: u32, address: ValueId) {
+        let (side, _) = self.words(strip, memory, address);
+        strip.lanes.load(self.builder, id, self.memories[memory as usize].width, side);
+    }
+
     /// Reads a word for each lane.
-    pub(super) fn read_lanes(&mut self, strip: &mut Strip, id: ValueId, memory: u32, address: ValueId) {
+    pub(super) fn read_each(&mut self, strip: &mut Strip, id: ValueId, memory: u32, address: ValueId) {
         let at = self.memories[memory as usize];
-        if at.words.together() && at.width <= 64 {
-            let (side, _) = self.words(strip, memory, address);
-            strip.lanes.load(self.builder, id, at.width, side);
-            return;
-        }
         let mut lanes = Vec::new();
         for lane in 0..strip.size() {
             let number = self.limbs(strip, address, lane)[0];

@@ -10,13 +10,12 @@ pub(super) mod strip_values;
 pub(super) mod together;
 pub(super) mod versions;
 
-use tilewright_circuit::top_mask;
-
 use crate::engine::function::{Function, Sink};
 use crate::engine::layout::Place;
 use crate::engine::layout::memory_at::MemoryAt;
 use crate::engine::layout::strip_sizes::StripSizes;
 use crate::engine::plan::Plan;
+use crate::engine::plan::clamp::Clamp;
 use crate::engine::plan::sequence::Step;
 use crate::engine::program::{Kind, Lowered, ValueId};
 use crate::engine::strips::{Builder, Comparison, Loop, Type, Value};
@@ -197,7 +196,8 @@ impl<'a, 'b> Emitter<'a, 'b> {
             Kind::Lowered(Lowered::Gather { of, at }) => {
                 self.want(*at);
                 let number = self.scalars.clean(self.builder, *at)[0];
-                let number = self.of_lanes(number, self.function.cell(*at).width, self.function.cell(*of).lanes);
+                let clamp = Clamp::of_numbers(self.function, *at, self.function.cell(*of).lanes);
+                let number = self.clamped(number, number, clamp);
                 self.load_lane(id, *of, number);
             }
             Kind::Lowered(Lowered::Rotate { of, left }) => {
@@ -240,15 +240,6 @@ impl<'a, 'b> Emitter<'a, 'b> {
             // It is stored where it is computed.
             Sink::Show(_) | Sink::Hold(_) => {}
         }
-    }
-
-    /// A number of a lane that exists. It is one already: if its width does not show that, a minimum does.
-    pub(super) fn of_lanes(&mut self, number: Value, width: u32, lanes: u32) -> Value {
-        if top_mask(width) < u64::from(lanes) {
-            return number;
-        }
-        let last = self.builder.constant(Type::I64, i64::from(lanes - 1));
-        self.builder.min(number, last)
     }
 
     /// Loads the lane with this number of an array in memory.

@@ -1,7 +1,7 @@
 //! The values of one strip of lanes: up to 64 bits in vectors; wider ones, and those computed with them, lane by
 //! lane.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use tilewright_circuit::ir::Reduction;
 
@@ -9,8 +9,10 @@ use super::lanes::{Lanes, Span, operator};
 use super::scalar::{Scalar, Scalars};
 use super::{Emitter, offset};
 use crate::engine::layout::Place;
+use crate::engine::plan::access::{Access, Word};
+use crate::engine::plan::clamp::Clamp;
 use crate::engine::plan::nest::{Division, Nest};
-use crate::engine::program::{Kind, Lowered, ValueId};
+use crate::engine::program::{Kind, ValueId};
 use crate::engine::strips::{Comparison, Type, Value};
 
 /// A strip while its code is emitted.
@@ -19,6 +21,8 @@ pub(super) struct Strip {
     pub division: Division,
     /// From the last lanes to the first.
     descends: bool,
+    /// How it takes lanes from other lanes.
+    taken: BTreeMap<ValueId, Access>,
     pub lanes: Lanes,
     /// The values lane by lane.
     pub(super) singles: Vec<Scalars>,
@@ -31,7 +35,7 @@ pub(super) struct Strip {
     /// The first lane's words, by the address of their memory.
     pub memories: HashMap<usize, Value>,
     /// The words of all lanes, by memory and address, and that address.
-    pub words: HashMap<(u32, ValueId), (Value, Value)>,
+    pub words: HashMap<Word, (Value, Value)>,
 }
 
 impl Strip {
@@ -41,7 +45,18 @@ impl Strip {
         let singles = Vec::new();
         let (addresses, memories, words) = (HashMap::new(), HashMap::new(), HashMap::new());
         let lanes = Lanes::new(division.strip, vector);
-        Strip { division, descends, lanes, singles, first: None, within: None, addresses, memories, words }
+        Strip {
+            division,
+            descends,
+            taken: nest.taken.clone(),
+            lanes,
+            singles,
+            first: None,
+            within: None,
+            addresses,
+            memories,
+            words,
+        }
     }
 
     /// Lanes at a time.
@@ -233,14 +248,10 @@ impl Emitter<'_, '_> {
     pub(super) fn lane_cell(&mut self, strip: &mut Strip, id: ValueId) {
         let cell = self.function.cell(id);
         match &cell.kind {
-            Kind::Lowered(Lowered::Word { memory, address }) => self.read_lanes(strip, id, *memory, *address),
-            Kind::Lowered(Lowered::WordOf { memory, address, at }) => {
-                self.read_lanes_at(strip, id, (*memory, *address), *at)
-            }
             // Made available before the loop.
             Kind::Broadcast { .. } if strip.lanes.has(id) => {}
             Kind::Reduce { by, of, axis } => return self.accumulate(strip, id, *by, *of, axis.count),
-            kind => match self.access(strip, id) {
+            kind => match strip.taken.get(&id).cloned() {
                 Some(access) => self.take(strip, id, access),
                 None => self.elementwise(strip, id, kind, cell.width),
             },
@@ -262,9 +273,8 @@ impl Emitter<'_, '_> {
                 true => (self.builder.constant(Type::I64, 0), at),
                 false => {
                     let (target, within) = self.divided(at, strip.division.lanes, group);
-                    // Groups that do not exist are placed after the last one.
-                    let behind = self.builder.constant(Type::I64, i64::from(place.lanes));
-                    (if strip.division.is_padded() { self.builder.min(target, behind) } else { target }, within)
+                    let clamp = Clamp::of_group(strip.division, place.lanes);
+                    (self.clamped(target, target, clamp), within)
                 }
             };
             let at = self.address(place, target);

@@ -60,7 +60,7 @@ fn edge(program: &Program, clock: usize) -> Vec<(Pass, String)> {
         Seen::Sequenced(function, plan, pieces) => {
             all.push((Pass::Sequence, sequenced(program, function, plan, pieces, &lowered)));
             let addresses = Addresses::new(function, plan, places.iter().filter_map(|place| *place), &mut layout);
-            let loops = Loops { function, plan, memories: &memories, strips: &strips, addresses: &addresses };
+            let loops = Loops { function, plan, memories: &memories, strips: &strips };
             all.push((Pass::Loops, loops.text(Text::with(program, function.circuit(), lowered.clone()), pieces)));
             let of = Emitted { program, function, plan, addresses: &addresses, memories: &memories, strips: &strips };
             all.push((Pass::Strips, of.pieces(pieces, &lowered)));

@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use super::Text;
 use super::functions::{self, kernels, line, list};
-use crate::engine::emit::Addresses;
 use crate::engine::function::{Function, Sink};
 use crate::engine::layout::memory_at::MemoryAt;
 use crate::engine::layout::strip_sizes::StripSizes;
 use crate::engine::plan::access::Access;
-use crate::engine::plan::nest::{Nest, Work};
+use crate::engine::plan::clamp::Clamp;
+use crate::engine::plan::nest::{Division, Nest, Work};
 use crate::engine::plan::sequence::Step;
 use crate::engine::plan::{Kernel, Plan};
 use crate::engine::program::{Kind, ValueId};
@@ -20,7 +20,6 @@ pub(super) struct Loops<'a> {
     pub plan: &'a Plan,
     pub memories: &'a [MemoryAt],
     pub strips: &'a StripSizes,
-    pub addresses: &'a Addresses,
 }
 
 impl Loops<'_> {
@@ -50,7 +49,8 @@ impl Loops<'_> {
             Work::Register { sink, keeps } => {
                 let Sink::Register { state, .. } = self.function.sinks[sink] else { unreachable!("a register") };
                 let kept = if keeps { format!("load {}, then ", text.name(state)) } else { String::new() };
-                kept + line(text, self.function, sink).trim()
+                let late = if self.plan.hazards.contains(&state) { ", at the end" } else { "" };
+                kept + line(text, self.function, sink).trim() + late
             }
             Work::Write(sink) => line(text, self.function, sink).trim().to_owned(),
         }));
@@ -66,10 +66,13 @@ impl Loops<'_> {
         let sources = |ids: &[ValueId]| list(text, &ids.iter().map(|&id| source(id)).collect::<Vec<_>>());
         let word = |&(memory, at): &(u32, ValueId)| format!("{}[{}]", text.memory(memory), text.name(source(at)));
         let words: Vec<String> = nest.words.iter().map(word).collect();
-        let taken = self.taken(nest);
-        let taken = |is_so: fn(&Access) -> bool| {
-            let cells = taken.iter().filter(|(_, access)| is_so(access));
-            list(text, &cells.map(|(id, _)| *id).collect::<Vec<_>>())
+        let taken = |by: &str| {
+            let cells = nest.work.iter().filter_map(|work| match *work {
+                Work::Cell(id) => Some((id, nest.taken.get(&id)?)),
+                _ => None,
+            });
+            let cells = cells.filter(|(_, access)| loads(access) == by);
+            cells.map(|(id, access)| text.name(id) + kept(access).as_str()).collect::<Vec<_>>().join(" ")
         };
         let parts = [
             ("before all", sources(&nest.uniforms)),
@@ -78,26 +81,40 @@ impl Loops<'_> {
             ("before each row", sources(&nest.of_row)),
             ("carried along a row", list(text, &nest.sums)),
             ("carried along all rows", list(text, &nest.totals)),
-            ("taken by one load", taken(|it| matches!(it, Access::OfRow(_) | Access::Near(..)))),
-            ("taken by some loads", taken(|it| matches!(it, Access::Groups(..) | Access::Regular { .. }))),
-            ("taken lane by lane", taken(|it| matches!(it, Access::Each(..)))),
+            ("taken by one load", taken("one load")),
+            ("taken by some loads", taken("some loads")),
+            ("taken lane by lane", taken("lane by lane")),
         ];
-        let division = nest.division;
-        let rows = if division.rows() > 1 { format!("rows of {}, ", division.row) } else { String::new() };
         let some = parts.into_iter().filter(|(_, names)| !names.is_empty());
         let lines = some.map(|(what, names)| format!("{what}: {names}"));
-        [format!("{rows}strips of {}", division.strip)].into_iter().chain(lines).collect()
+        std::iter::once(division(nest.division)).chain(lines).collect()
     }
+}
 
-    /// The cells whose lanes are taken from others, and not before the loop.
-    fn taken(&self, nest: &Nest) -> Vec<(ValueId, Access)> {
-        let is_before = |id: &ValueId| nest.tiles.contains(id) || nest.of_row.contains(id);
-        let is_stored = |id: ValueId| self.addresses.has(id);
-        let of = |id: ValueId| Access::of(self.function, self.strips, nest.division, &is_stored, id);
-        let cells = nest.work.iter().filter_map(|work| match *work {
-            Work::Cell(id) if !is_before(&id) => Some((id, of(id)?)),
-            _ => None,
-        });
-        cells.collect()
+/// Rows and strips, in words.
+fn division(Division { lanes, row, strip }: Division) -> String {
+    let rows = if row < lanes { format!("rows of {row}, ") } else { String::new() };
+    let last = (row - 1) % strip + 1;
+    let padded = if last < strip { format!(", the last with {last} lanes") } else { String::new() };
+    format!("{rows}strips of {strip}{padded}")
+}
+
+/// What takes the place of a number that no lane has.
+fn kept(access: &Access) -> String {
+    let (Access::Each(_, _, clamp) | Access::WordOf(_, _, clamp)) = access else { return String::new() };
+    match clamp {
+        Clamp::None => String::new(),
+        Clamp::Last(last) => format!(" (at most lane {last})"),
+        Clamp::Own => " (or its own)".to_owned(),
+    }
+}
+
+/// How many loads take the lanes of a strip.
+fn loads(access: &Access) -> &'static str {
+    match access {
+        Access::Uniform | Access::Constant(_) => "no load",
+        Access::OfRow(_) | Access::Near(..) | Access::Words(_) => "one load",
+        Access::Groups(..) | Access::Regular { .. } => "some loads",
+        Access::Each(..) | Access::EachWord(_) | Access::WordOf(..) => "lane by lane",
     }
 }

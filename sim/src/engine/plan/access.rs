@@ -1,7 +1,9 @@
 //! How a strip takes lanes that it does not compute: by one load, by a few, or by one for each lane.
 
+use super::clamp::Clamp;
 use super::nest::Division;
 use crate::engine::function::Function;
+use crate::engine::layout::memory_at::MemoryAt;
 use crate::engine::layout::strip_sizes::StripSizes;
 use crate::engine::program::{Kind, Lowered, ValueId};
 
@@ -20,9 +22,18 @@ pub(crate) enum Access {
     Groups(ValueId, u32),
     /// These lanes for the first strip, and those `step` further on for each following one.
     Regular { of: ValueId, lanes: Vec<u32>, step: u32 },
-    /// A load for each lane.
-    Each(ValueId, Number),
+    /// A load for each lane, of the lane with a number.
+    Each(ValueId, Number, Clamp),
+    /// One load: the words of a memory at the address that all lanes have.
+    Words(Word),
+    /// A load for each lane, of a word of its own at an address of its own.
+    EachWord(Word),
+    /// A load for each lane, at the address that all have: the word of the lane with the number in this value.
+    WordOf(Word, ValueId, Clamp),
 }
+
+/// A memory and an address.
+pub(crate) type Word = (u32, ValueId);
 
 /// The number of the lane that a lane takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,40 +51,52 @@ pub(crate) enum Number {
 }
 
 impl Access {
-    /// How these lanes are taken; `None` if the cell is computed from lanes of its own. `is_stored` says whether a
-    /// value is in memory.
+    /// How these lanes are taken; `None` if the cell is computed from lanes of its own.
     pub fn of(
         function: &Function,
-        strips: &StripSizes,
+        (memories, strips): (&[MemoryAt], &StripSizes),
         division: Division,
-        is_stored: &dyn Fn(ValueId) -> bool,
         id: ValueId,
     ) -> Option<Access> {
         let cell = function.cell(id);
         let is_narrow = cell.width <= 64;
+        let is_constant = |id: ValueId| matches!(function.cell(id).kind, Kind::Const(_));
         Some(match cell.kind {
             Kind::Broadcast { of, axis } if axis.inner > 1 => {
                 let source = function.cell(of);
-                let is_constant = matches!(source.kind, Kind::Const(_));
-                match !is_constant && source.lanes == division.row && is_narrow {
+                match !is_constant(of) && source.lanes == division.row && is_narrow {
                     true => Access::OfRow(of),
-                    false => Access::Each(of, Number::Within(source.lanes)),
+                    false => Access::Each(of, Number::Within(source.lanes), Clamp::None),
                 }
             }
             Kind::Broadcast { of, .. } if function.cell(of).lanes == 1 => Access::Uniform,
             Kind::Broadcast { of, axis } if division.strip.is_multiple_of(axis.count) => Access::Groups(of, axis.count),
-            Kind::Broadcast { of, axis } => Access::Each(of, Number::Group(axis.count)),
-            Kind::Lane { of, axis, index } => Access::Each(of, Number::Member { group: axis.count, index }),
-            Kind::Lowered(Lowered::Slide { of, by }) => match function.cell(of).kind {
-                Kind::Const(_) if is_narrow => Access::Constant(of),
-                _ if is_narrow && by.unsigned_abs() <= strips.reach(division.lanes) => Access::Near(of, by),
-                _ => Access::Each(of, Number::Before(by)),
+            Kind::Broadcast { of, axis } => Access::Each(of, Number::Group(axis.count), Clamp::None),
+            Kind::Lane { of, axis, index } => {
+                Access::Each(of, Number::Member { group: axis.count, index }, Clamp::None)
+            }
+            Kind::Lowered(Lowered::Slide { of, by }) => match is_narrow {
+                true if is_constant(of) => Access::Constant(of),
+                true if by.unsigned_abs() <= strips.reach(division.lanes) => Access::Near(of, by),
+                _ => Access::Each(of, Number::Before(by), Clamp::of_neighbour(by, division.lanes)),
             },
             Kind::Lowered(Lowered::Gather { of, at }) => {
-                match regular(function, division, at).filter(|_| is_stored(of)) {
+                match regular(function, division, at).filter(|_| !is_constant(of)) {
                     Some((lanes, step)) => Access::Regular { of, lanes, step },
-                    None => Access::Each(of, Number::Given(at)),
+                    None => {
+                        let clamp = Clamp::of_numbers(function, at, function.cell(of).lanes);
+                        Access::Each(of, Number::Given(at), clamp)
+                    }
                 }
+            }
+            Kind::Lowered(Lowered::Word { memory, address }) => {
+                let at = &memories[memory as usize];
+                let is_one_load = at.words.together() && at.width <= 64;
+                if is_one_load { Access::Words((memory, address)) } else { Access::EachWord((memory, address)) }
+            }
+            Kind::Lowered(Lowered::WordOf { memory, address, at }) => {
+                let clamp = Clamp::of_numbers(function, at, memories[memory as usize].lanes);
+                Access::WordOf((memory, address), at, clamp)
             }
             _ => return None,
         })

@@ -7,6 +7,7 @@
 
 pub(super) mod access;
 pub(super) mod branch;
+pub(super) mod clamp;
 mod hazards;
 pub(super) mod nest;
 pub(super) mod planned;

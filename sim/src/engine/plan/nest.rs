@@ -6,6 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::access::{Access, Word};
 use super::{Kernel, Plan};
 use crate::engine::function::{Function, Sink};
 use crate::engine::layout::memory_at::MemoryAt;
@@ -46,13 +47,15 @@ pub(crate) struct Nest {
     /// Rows shorter than a strip, of which it has several: loaded before all loops.
     pub tiles: Vec<ValueId>,
     /// Memories with one address in all lanes: the words there are found before all loops.
-    pub words: Vec<(u32, ValueId)>,
+    pub words: Vec<Word>,
     /// Values that are the same in a row: loaded before the loop over its strips.
     pub of_row: Vec<ValueId>,
     /// Reductions carried around the loop over the strips of a row.
     pub sums: Vec<ValueId>,
     /// Reductions carried around both loops, if there is more than one row.
     pub totals: Vec<ValueId>,
+    /// The cells whose lanes a strip takes from other lanes, and how; not those that stand before the loops.
+    pub taken: BTreeMap<ValueId, Access>,
     /// The sequence within a strip.
     pub work: Vec<Work>,
 }
@@ -81,11 +84,16 @@ impl Nest {
         let (of_row, totals) = if row < lanes { (inputs.of_row(row), sums(lanes)) } else { Default::default() };
         let sums = sums(row);
         let carried: BTreeSet<ValueId> = sums.iter().chain(&totals).copied().collect();
+        let division = Division { lanes, row, strip };
+        let tiles = inputs.tiles(strip);
+        let later = inputs.all.iter().filter(|id| !tiles.contains(id) && !of_row.contains(id));
+        let access = |&id: &ValueId| Some((id, Access::of(function, (memories, strips), division, id)?));
         Nest {
-            division: Division { lanes, row, strip },
+            division,
+            taken: later.filter_map(access).collect(),
             descends: kernel.descends,
             uniforms: inputs.uniforms(),
-            tiles: inputs.tiles(strip),
+            tiles,
             words: words(function, kernel, memories),
             of_row,
             work: work(function, kernel, &carried),
@@ -188,7 +196,7 @@ impl Inputs<'_> {
 }
 
 /// The memories that are read and written at one address in all lanes, with that address.
-fn words(function: &Function, kernel: &Kernel, memories: &[MemoryAt]) -> Vec<(u32, ValueId)> {
+fn words(function: &Function, kernel: &Kernel, memories: &[MemoryAt]) -> Vec<Word> {
     let reads = kernel.cells.iter().filter_map(|&id| match function.cell(id).kind {
         Kind::Lowered(Lowered::Word { memory, address } | Lowered::WordOf { memory, address, .. }) => {
             Some((memory, address))
