@@ -8,28 +8,17 @@ use tilewright_hdl::*;
 
 const SLOW: Clock = Clock::new("slow", Period::ns(14));
 
-bundle! {
-    struct CellIn<T> { x: T }
-    struct CellOut<T> { y: T }
-    struct TopIn<T> { x: T, go: T }
-    struct TopOut<T> { y: T, count: T, seen: T }
-}
-
 /// The assertion of each lane, with text that needs escaping in Verilog.
 const LANE_MESSAGE: &str = "100% of \"x\"\nstay \\below\\ 200, é";
 
-/// Stores its input.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell;
+block! {
+    /// Stores its input.
+    struct Cell;
+    in CellIn { x: bits(8) }
+    out CellOut { y: _ }
+}
 
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(8) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let y = m.pipe("held", i.x);
         m.assert(y.lt(200), LANE_MESSAGE);
@@ -37,19 +26,15 @@ impl Block for Cell {
     }
 }
 
-/// Assertions in lanes, on two clocks, about a choice, and about nets that nothing else reads; none of its registers
-/// has a reset.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Asserted;
+block! {
+    /// Assertions in lanes, on two clocks, about a choice, and about nets that nothing else reads; none of its
+    /// registers has a reset.
+    struct Asserted;
+    in TopIn { x: bits(8), go: bit() }
+    out TopOut { y: _, count: _, seen: _ }
+}
 
-impl Block for Asserted {
-    type In = TopIn;
-    type Out = TopOut;
-
-    fn inputs(&self) -> TopIn<Width> {
-        TopIn { x: bits(8), go: bit() }
-    }
-
+impl Asserted {
     fn build(&self, m: Module, i: TopIn) -> TopOut {
         let cells = m.array("u_cell", 3, &Cell, |row| CellIn { x: row.y.previous(i.x) });
         let count = m.reg("count", 8);

@@ -59,23 +59,14 @@ fn a_parents_port_may_have_the_name_of_the_port_it_feeds() {
     clean(&Row);
 }
 
-bundle! {
-    struct LaneIn<T> { lane: T, i: T, value: T, leaf: T, pair: T, u_cell_y_sum_tree: T }
-    struct LaneOut<T> { y: T, sum: T, any: T }
+block! {
+    /// Feeds cells from ports that are called as arrays call things.
+    struct LanePorts;
+    in LaneIn { lane: bits(8), i: bits(8), value: bits(8), leaf: bits(8), pair: bits(8), u_cell_y_sum_tree: bits(8) }
+    out LaneOut { y: _, sum: _, any: _ }
 }
 
-/// Feeds cells from ports that are called as arrays call things.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct LanePorts;
-
-impl Block for LanePorts {
-    type In = LaneIn;
-    type Out = LaneOut;
-
-    fn inputs(&self) -> LaneIn<Width> {
-        LaneIn { lane: bits(8), i: bits(8), value: bits(8), leaf: bits(8), pair: bits(8), u_cell_y_sum_tree: bits(8) }
-    }
-
+impl LanePorts {
     fn build(&self, m: Module, i: LaneIn) -> LaneOut {
         let parts = [i.lane, i.i, i.value, i.leaf, i.pair, i.u_cell_y_sum_tree];
         let cells = m.array("u_cell", 6, &Cell, |_| CellIn { x: stack(parts) });
@@ -136,22 +127,14 @@ fn a_memory_in_a_lane_does_not_hide_the_lane() {
     assert!(clean(&Remembering).contains("remembered u_u_lane"));
 }
 
-bundle! {
-    struct ArraysOut<T> { result: T }
+block! {
+    /// Arrays that are called as things of arrays are.
+    struct Arrays;
+    in = CellIn { x: bits(8) };
+    out ArraysOut { result: _ }
 }
 
-/// Arrays that are called as things of arrays are.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Arrays;
-
-impl Block for Arrays {
-    type In = CellIn;
-    type Out = ArraysOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(8) }
-    }
-
+impl Arrays {
     fn build(&self, m: Module, i: CellIn) -> ArraysOut {
         let names =
             ["lane", "value", "leaf", "pair", "i", "y", "done", "x_edge", "x_link", "_unused_lane", "_unused_ok"];
@@ -343,22 +326,17 @@ fn parameters_that_print_in_several_lines_stand_in_one() {
 }
 
 bundle! {
-    struct ShownOut<T> { u_lane: T }
     struct HeldOut<T> { y: T, lane: T }
 }
 
-/// Has a port that is called as a lane may be.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Shown;
+block! {
+    /// Has a port that is called as a lane may be.
+    struct Shown;
+    in = CellIn { x: bits(8) };
+    out ShownOut { u_lane: _ }
+}
 
-impl Block for Shown {
-    type In = CellIn;
-    type Out = ShownOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(8) }
-    }
-
+impl Shown {
     fn build(&self, _: Module, i: CellIn) -> ShownOut {
         ShownOut { u_lane: i.x + 1 }
     }

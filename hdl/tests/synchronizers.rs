@@ -6,25 +6,14 @@ use tilewright_sim::Simulation;
 
 const LINE: Clock = Clock::new("line", Period::ns(7));
 
-bundle! {
-    struct ReceiverIn<T> { rx: T }
-    struct ReceiverOut<T> { line: T, starts: T }
+block! {
+    /// Counts the start bits of a serial line that idles at `idle`.
+    struct Receiver { idle: bool }
+    in ReceiverIn { rx: bit().on(LINE) }
+    out ReceiverOut { line: _, starts: _ }
 }
 
-/// Counts the start bits of a serial line that idles at `idle`.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Receiver {
-    idle: bool,
-}
-
-impl Block for Receiver {
-    type In = ReceiverIn;
-    type Out = ReceiverOut;
-
-    fn inputs(&self) -> ReceiverIn<Width> {
-        ReceiverIn { rx: bit().on(LINE) }
-    }
-
+impl Receiver {
     fn build(&self, m: Module, i: ReceiverIn) -> ReceiverOut {
         let rx = m.on(LINE).pipe("rx_out", i.rx);
         let line = match self.idle {

@@ -5,25 +5,14 @@ use tilewright_blocks::*;
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
-bundle! {
-    struct EncodeIn<T> { word: T, index: T }
-    struct EncodeOut<T> { first: T, first_index: T, index_of: T, one_hot: T }
+block! {
+    /// All functions of encode.rs.
+    struct Encode { width: u32 }
+    in(self) EncodeIn { word: bits(self.width), index: bits(3) }
+    out EncodeOut { first: _, first_index: _, index_of: _, one_hot: _ }
 }
 
-/// All functions of encode.rs.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Encode {
-    width: u32,
-}
-
-impl Block for Encode {
-    type In = EncodeIn;
-    type Out = EncodeOut;
-
-    fn inputs(&self) -> EncodeIn<Width> {
-        EncodeIn { word: bits(self.width), index: bits(3) }
-    }
-
+impl Encode {
     fn build(&self, _: Module, i: EncodeIn) -> EncodeOut {
         EncodeOut {
             first: first(i.word),

@@ -78,23 +78,14 @@ fn run<B: Block<In = StreamIn, Out = StreamOut>>(block: &B, cuts: Cuts) -> Vec<u
     through(&mut sim, (&ends.0, &ends.1), &[(1..30).collect()], &[29], stalls, cuts).remove(0)
 }
 
-bundle! {
-    struct WaitsIn<T> { ready: T }
-    struct WaitsOut<T> { valid: T, payload: T }
+block! {
+    /// Shows its word only to a receiver that is ready. The language rejects this for a stream, so the ports are plain.
+    struct Waits;
+    in WaitsIn { ready: bit() }
+    out WaitsOut { valid: _, payload: _ }
 }
 
-/// Shows its word only to a receiver that is ready. The language rejects this for a stream, so the ports are plain.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Waits;
-
-impl Block for Waits {
-    type In = WaitsIn;
-    type Out = WaitsOut;
-
-    fn inputs(&self) -> WaitsIn<Width> {
-        WaitsIn { ready: bit() }
-    }
-
+impl Waits {
     fn build(&self, m: Module, i: WaitsIn) -> WaitsOut {
         WaitsOut { valid: i.ready, payload: m.pipe("ready_before", i.ready) }
     }

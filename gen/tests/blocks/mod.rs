@@ -36,23 +36,14 @@ codes! {
     pub enum Phase { Idle, Fill, Drain }
 }
 
-bundle! {
-    pub struct PumpIn<T> { pub start: T, pub full: T, pub empty: T }
-    pub struct PumpOut<T> { pub busy: T, pub valve: T }
+block! {
+    /// A state machine.
+    pub struct Pump;
+    in PumpIn { start: bit(), full: bit(), empty: bit() }
+    out PumpOut { busy: _, valve: _ }
 }
 
-/// A state machine.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Pump;
-
-impl Block for Pump {
-    type In = PumpIn;
-    type Out = PumpOut;
-
-    fn inputs(&self) -> PumpIn<Width> {
-        PumpIn { start: bit(), full: bit(), empty: bit() }
-    }
-
+impl Pump {
     fn build(&self, m: Module, i: PumpIn) -> PumpOut {
         let phase = m.fsm("phase", Phase::Idle);
         phase.next(|phase| match phase {
@@ -65,23 +56,14 @@ impl Block for Pump {
     }
 }
 
-bundle! {
-    pub struct LineIn<T> { pub write: T, pub write_x: T, pub z: T, pub x: T, pub gain: T }
-    pub struct LineOut<T> { pub nearest: T, pub scaled: T }
+block! {
+    /// A line buffer of 1000 words and a table.
+    pub struct LineBuffer;
+    in LineIn { write: bit(), write_x: bits(10), z: bits(24), x: bits(10), gain: bits(2) }
+    out LineOut { nearest: _, scaled: _ }
 }
 
-/// A line buffer of 1000 words and a table.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct LineBuffer;
-
-impl Block for LineBuffer {
-    type In = LineIn;
-    type Out = LineOut;
-
-    fn inputs(&self) -> LineIn<Width> {
-        LineIn { write: bit(), write_x: bits(10), z: bits(24), x: bits(10), gain: bits(2) }
-    }
-
+impl LineBuffer {
     fn build(&self, m: Module, i: LineIn) -> LineOut {
         let line = m.memory("line", 1000, 24, ReadUnderWrite::Any).fill(Bits::ones(24));
         line.write(i.write, i.write_x, i.z);
@@ -92,23 +74,14 @@ impl Block for LineBuffer {
     }
 }
 
-bundle! {
-    pub struct CellIn<T> { pub op: T, pub x: T, pub left: T, pub weight: T }
-    pub struct CellOut<T> { pub q: T, pub hit: T, pub sum: T }
+block! {
+    /// A cell of a systolic row.
+    pub struct Cell;
+    in CellIn { op: bit(), x: bits(4), left: bits(8), weight: bits(8) }
+    out CellOut { q: _, hit: _, sum: _ }
 }
 
-/// A cell of a systolic row.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Cell;
-
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { op: bit(), x: bits(4), left: bits(8), weight: bits(8) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let q = m.reg("q", 8);
         q.next(mux(i.op, i.left + i.x.zext(8), q));
@@ -116,25 +89,14 @@ impl Block for Cell {
     }
 }
 
-bundle! {
-    pub struct RowIn<T> { pub op: T, pub seed: T }
-    pub struct RowOut<T> { pub any: T, pub all: T, pub last: T, pub total: T, pub third: T }
+block! {
+    /// A chain of cells.
+    pub struct Row { pub lanes: u32 }
+    in RowIn { op: bit(), seed: bits(8) }
+    out RowOut { any: _, all: _, last: _, total: _, third: _ }
 }
 
-/// A chain of cells.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Row {
-    pub lanes: u32,
-}
-
-impl Block for Row {
-    type In = RowIn;
-    type Out = RowOut;
-
-    fn inputs(&self) -> RowIn<Width> {
-        RowIn { op: bit(), seed: bits(8) }
-    }
-
+impl Row {
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cells = m.array("u_cell", self.lanes, &Cell, |row| CellIn {
             op: i.op,
@@ -189,20 +151,13 @@ impl Block for Small {
     }
 }
 
-bundle! {
-    pub struct ClocksOut<T> { pub count: T, pub seen: T }
+block! {
+    /// A count of one clock, sampled by another.
+    pub struct Clocks;
+    out ClocksOut { count: _, seen: _ }
 }
 
-/// A count of one clock, sampled by another.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Clocks;
-
-impl Block for Clocks {
-    type In = ();
-    type Out = ClocksOut;
-
-    fn inputs(&self) {}
-
+impl Clocks {
     fn build(&self, m: Module, (): ()) -> ClocksOut {
         let count = m.reg("count", 8);
         count.next(count + 1);
@@ -245,23 +200,14 @@ impl Block for Updates {
     }
 }
 
-bundle! {
-    pub struct LatestIn<T> { pub forget: T, pub load: T, pub value: T }
-    pub struct LatestOut<T> { pub latest: T }
+block! {
+    /// A single register by priority, after a reset.
+    pub struct Latest;
+    in LatestIn { forget: bit(), load: bit(), value: bits(8) }
+    out LatestOut { latest: _ }
 }
 
-/// A single register by priority, after a reset.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Latest;
-
-impl Block for Latest {
-    type In = LatestIn;
-    type Out = LatestOut;
-
-    fn inputs(&self) -> LatestIn<Width> {
-        LatestIn { forget: bit(), load: bit(), value: bits(8) }
-    }
-
+impl Latest {
     fn build(&self, m: Module, i: LatestIn) -> LatestOut {
         let latest = m.reg("latest", 8).reset(0);
         latest.when(i.forget, 0).when(i.load, i.value);

@@ -1,7 +1,9 @@
 // cell_
 //
+// A cell of a systolic row.
+//
 // Parameters  Cell
-// Described   gen/tests/blocks/mod.rs:113
+// Described   gen/tests/blocks/mod.rs:77
 `default_nettype none
 
 module cell_ (
@@ -15,8 +17,8 @@ module cell_ (
     output wire [7:0] sum
 );
 
-    assign hit = q == left;                                      // gen/tests/blocks/mod.rs:115
-    assign sum = (left ^ weight) + q;                            // gen/tests/blocks/mod.rs:115
+    assign hit = q == left;                                      // gen/tests/blocks/mod.rs:88
+    assign sum = (left ^ weight) + q;                            // gen/tests/blocks/mod.rs:88
 
     always @(posedge clk) begin
         if (op) q <= left + {4'd0, x};

@@ -1,7 +1,9 @@
 // latest_
 //
+// A single register by priority, after a reset.
+//
 // Parameters  Latest
-// Described   gen/tests/blocks/mod.rs:266
+// Described   gen/tests/blocks/mod.rs:203
 `default_nettype none
 
 module latest_ (

@@ -1,7 +1,9 @@
 // line_buffer
 //
+// A line buffer of 1000 words and a table.
+//
 // Parameters  LineBuffer
-// Described   gen/tests/blocks/mod.rs:86
+// Described   gen/tests/blocks/mod.rs:59
 `default_nettype none
 
 module line_buffer (
@@ -16,11 +18,11 @@ module line_buffer (
 );
 
     (* no_rw_check *)
-    reg [23:0] line [0:999];                                     // gen/tests/blocks/mod.rs:86
+    reg [23:0] line [0:999];                                     // gen/tests/blocks/mod.rs:68
     reg [23:0] line_read_word;
     reg line_read_inside;
     wire [23:0] line_read = line_read_inside ? line_read_word : 24'd0;
-    reg [7:0] gains [0:3];                                       // gen/tests/blocks/mod.rs:88
+    reg [7:0] gains [0:3];                                       // gen/tests/blocks/mod.rs:70
 
     initial $readmemh("line_buffer.line.hex", line);
 
@@ -31,8 +33,8 @@ module line_buffer (
         gains[3] = 8'h08;
     end
 
-    wire [7:0] gains_word = gains[gain];                         // gen/tests/blocks/mod.rs:90
-    assign scaled = {8'd0, line_read} * {24'd0, gains_word};     // gen/tests/blocks/mod.rs:90
+    wire [7:0] gains_word = gains[gain];                         // gen/tests/blocks/mod.rs:72
+    assign scaled = {8'd0, line_read} * {24'd0, gains_word};     // gen/tests/blocks/mod.rs:72
 
     always @(posedge clk) begin
         if (write) line[write_x] <= z;

@@ -1,7 +1,7 @@
 // priorities
 //
 // Parameters  Updates
-// Described   gen/tests/blocks/mod.rs:233
+// Described   gen/tests/blocks/mod.rs:188
 `default_nettype none
 
 module priorities (

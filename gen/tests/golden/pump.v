@@ -1,7 +1,9 @@
 // pump
 //
+// A state machine.
+//
 // Parameters  Pump
-// Described   gen/tests/blocks/mod.rs:57
+// Described   gen/tests/blocks/mod.rs:39
 `default_nettype none
 
 module pump (
@@ -18,7 +20,7 @@ module pump (
     localparam [1:0] PHASE_FILL  = 2'd1;
     localparam [1:0] PHASE_DRAIN = 2'd2;
 
-    reg [1:0] phase;                                             // gen/tests/blocks/mod.rs:57
+    reg [1:0] phase;                                             // gen/tests/blocks/mod.rs:48
 
     always @* begin
         case (phase)
@@ -27,7 +29,7 @@ module pump (
             default: valve = 4'd12; // PHASE_DRAIN
         endcase
     end
-    assign busy = phase != PHASE_IDLE;                           // gen/tests/blocks/mod.rs:64
+    assign busy = phase != PHASE_IDLE;                           // gen/tests/blocks/mod.rs:55
 
     always @(posedge clk) begin
         if (rst) begin

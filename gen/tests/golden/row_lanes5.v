@@ -1,7 +1,9 @@
 // row_lanes5
 //
+// A chain of cells.
+//
 // Parameters  Row { lanes: 5 }
-// Described   gen/tests/blocks/mod.rs:139
+// Described   gen/tests/blocks/mod.rs:92
 `default_nettype none
 
 module row_lanes5 (
@@ -21,7 +23,7 @@ module row_lanes5 (
         8'h3e, 8'h3e, 8'h7c, 8'h1f, 8'h00
     };
     generate
-        for (i = 0; i < 5; i = i + 1) begin : u_cell                 // gen/tests/blocks/mod.rs:139
+        for (i = 0; i < 5; i = i + 1) begin : u_cell                 // gen/tests/blocks/mod.rs:101
             wire [7:0] q;
             wire hit;
             wire [7:0] sum;
@@ -53,14 +55,14 @@ module row_lanes5 (
             assign any_lanes[i] = u_cell[i].hit;
         end
     endgenerate
-    assign any = |any_lanes;                                     // gen/tests/blocks/mod.rs:146
+    assign any = |any_lanes;                                     // gen/tests/blocks/mod.rs:108
     wire [4:0] all_lanes;
     generate
         for (i = 0; i < 5; i = i + 1) begin : all_of
             assign all_lanes[i] = u_cell[i].hit;
         end
     endgenerate
-    assign all = &all_lanes;                                     // gen/tests/blocks/mod.rs:147
+    assign all = &all_lanes;                                     // gen/tests/blocks/mod.rs:109
     generate
         for (i = 0; i < 9; i = i + 1) begin : total_tree
             wire [7:0] value;
@@ -71,7 +73,7 @@ module row_lanes5 (
             end
         end
     endgenerate
-    assign total = total_tree[8].value;                          // gen/tests/blocks/mod.rs:149
+    assign total = total_tree[8].value;                          // gen/tests/blocks/mod.rs:111
 
     assign last = u_cell[4].q;
     assign third = u_cell[2].sum;

@@ -1,7 +1,9 @@
 // shapes
 //
+// Expressions that are short, long, used twice, or that need a name; choices that nest.
+//
 // Parameters  Shapes
-// Described   gen/tests/shapes/mod.rs:28
+// Described   gen/tests/shapes/mod.rs:6
 `default_nettype none
 
 module shapes (

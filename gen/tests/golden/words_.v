@@ -1,7 +1,9 @@
 // words_
 //
+// Memories with several ports of each kind, of a depth that addresses exceed or do not.
+//
 // Parameters  Words
-// Described   gen/tests/shapes/mod.rs:102
+// Described   gen/tests/shapes/mod.rs:84
 `default_nettype none
 
 module words_ (
@@ -19,23 +21,23 @@ module words_ (
     output wire [7:0] loaded
 );
 
-    reg [7:0] words [0:10];                                      // gen/tests/shapes/mod.rs:102
+    reg [7:0] words [0:10];                                      // gen/tests/shapes/mod.rs:93
     reg [7:0] words_read0_word;
     reg words_read0_inside;
     wire [7:0] words_read0 = words_read0_inside ? words_read0_word : 8'd0;
-    reg [7:0] words_read1;                                       // gen/tests/shapes/mod.rs:105
-    reg [7:0] some [0:4];                                        // gen/tests/shapes/mod.rs:107
+    reg [7:0] words_read1;                                       // gen/tests/shapes/mod.rs:96
+    reg [7:0] some [0:4];                                        // gen/tests/shapes/mod.rs:98
     reg [7:0] some_read_word;
     reg some_read_inside;
     wire [7:0] some_read = some_read_inside ? some_read_word : 8'd0;
-    reg [7:0] filled [0:15];                                     // gen/tests/shapes/mod.rs:109
-    reg [7:0] filled_read;                                       // gen/tests/shapes/mod.rs:119
-    reg [7:0] table_of_many [0:256];                             // gen/tests/shapes/mod.rs:110
+    reg [7:0] filled [0:15];                                     // gen/tests/shapes/mod.rs:100
+    reg [7:0] filled_read;                                       // gen/tests/shapes/mod.rs:110
+    reg [7:0] table_of_many [0:256];                             // gen/tests/shapes/mod.rs:101
     reg [7:0] table_of_many_read_word;
     reg table_of_many_read_inside;
     wire [7:0] table_of_many_read = table_of_many_read_inside ? table_of_many_read_word : 8'd0;
-    reg [7:0] fixed [0:3];                                       // gen/tests/shapes/mod.rs:111
-    reg [7:0] fixed_read;                                        // gen/tests/shapes/mod.rs:119
+    reg [7:0] fixed [0:3];                                       // gen/tests/shapes/mod.rs:102
+    reg [7:0] fixed_read;                                        // gen/tests/shapes/mod.rs:110
 
     initial begin : some_contents
         integer i;
@@ -52,16 +54,16 @@ module words_ (
 
     initial $readmemh("words_.table_of_many.hex", table_of_many);
 
-    wire [3:0] words_read_address = {1'd0, low};                 // gen/tests/shapes/mod.rs:105
-    wire [3:0] words_read_address_2 = address + 4'd1;            // gen/tests/shapes/mod.rs:106
-    wire [7:0] words_word0 = (words_read_address_2 < 4'd11) ? words[words_read_address_2] : 8'd0; // gen/tests/shapes/mod.rs:106
-    wire [3:0] words_read_address_3 = {1'd0, low};               // gen/tests/shapes/mod.rs:106
-    wire [7:0] words_word1 = words[words_read_address_3];        // gen/tests/shapes/mod.rs:106
-    assign now = words_word0 ^ words_word1;                      // gen/tests/shapes/mod.rs:106
-    assign third = some[3'd2];                                   // gen/tests/shapes/mod.rs:118
-    assign constants = some_read ^ filled_read ^ fixed_read;     // gen/tests/shapes/mod.rs:119
-    wire [8:0] table_of_many_read_address = {low, address, write, write}; // gen/tests/shapes/mod.rs:120
-    wire [1:0] fixed_write_address = 2'd3;                       // gen/tests/shapes/mod.rs:112
+    wire [3:0] words_read_address = {1'd0, low};                 // gen/tests/shapes/mod.rs:96
+    wire [3:0] words_read_address_2 = address + 4'd1;            // gen/tests/shapes/mod.rs:97
+    wire [7:0] words_word0 = (words_read_address_2 < 4'd11) ? words[words_read_address_2] : 8'd0; // gen/tests/shapes/mod.rs:97
+    wire [3:0] words_read_address_3 = {1'd0, low};               // gen/tests/shapes/mod.rs:97
+    wire [7:0] words_word1 = words[words_read_address_3];        // gen/tests/shapes/mod.rs:97
+    assign now = words_word0 ^ words_word1;                      // gen/tests/shapes/mod.rs:97
+    assign third = some[3'd2];                                   // gen/tests/shapes/mod.rs:109
+    assign constants = some_read ^ filled_read ^ fixed_read;     // gen/tests/shapes/mod.rs:110
+    wire [8:0] table_of_many_read_address = {low, address, write, write}; // gen/tests/shapes/mod.rs:111
+    wire [1:0] fixed_write_address = 2'd3;                       // gen/tests/shapes/mod.rs:103
 
     always @(posedge clk) begin
         if (write) words[address] <= data;

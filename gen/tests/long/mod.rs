@@ -40,26 +40,14 @@ pub const KINDS: [Kind; 11] = [
     Kind::Compare,
 ];
 
-bundle! {
-    pub struct LongIn<T> { pub bits: T, pub x: T }
-    pub struct LongOut<T> { pub y: T }
+block! {
+    /// `count` of them.
+    pub struct Long { pub kind: Kind, pub count: u32 }
+    in(self) LongIn { bits: bits(self.count), x: bits(20) }
+    out LongOut { y: _ }
 }
 
-/// `count` of them.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Long {
-    pub kind: Kind,
-    pub count: u32,
-}
-
-impl Block for Long {
-    type In = LongIn;
-    type Out = LongOut;
-
-    fn inputs(&self) -> LongIn<Width> {
-        LongIn { bits: bits(self.count), x: bits(20) }
-    }
-
+impl Long {
     fn build(&self, m: Module, i: LongIn) -> LongOut {
         let bit = |k: u32| i.bits.bit(k);
         let byte = |k: u32| i.x.trunc(8) ^ (k % 251);

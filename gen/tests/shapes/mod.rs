@@ -3,26 +3,26 @@
 use crate::blocks::{Row, RowIn};
 use tilewright_hdl::*;
 
-bundle! {
-    pub struct ShapesIn<T> { pub a: T, pub b: T, pub wide: T, pub which: T, pub go: T }
-    pub struct ShapesOut<T> {
-        pub twice: T, pub chain: T, pub masked: T, pub signs: T, pub products: T, pub parts: T, pub few: T, pub many: T,
-        pub first: T, pub picked: T, pub sampled: T
+block! {
+    /// Expressions that are short, long, used twice, or that need a name; choices that nest.
+    pub struct Shapes;
+    in ShapesIn { a: bits(8), b: bits(8), wide: bits(100), which: bits(3), go: bit() }
+    out ShapesOut {
+        twice: _,
+        chain: _,
+        masked: _,
+        signs: _,
+        products: _,
+        parts: _,
+        few: _,
+        many: _,
+        first: _,
+        picked: _,
+        sampled: _,
     }
 }
 
-/// Expressions that are short, long, used twice, or that need a name; choices that nest.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Shapes;
-
-impl Block for Shapes {
-    type In = ShapesIn;
-    type Out = ShapesOut;
-
-    fn inputs(&self) -> ShapesIn<Width> {
-        ShapesIn { a: bits(8), b: bits(8), wide: bits(100), which: bits(3), go: bit() }
-    }
-
+impl Shapes {
     fn build(&self, m: Module, i: ShapesIn) -> ShapesOut {
         let (a, b, which) = (i.a, i.b, i.which);
         let sum = a + b;
@@ -81,23 +81,14 @@ impl Block for Shapes {
     }
 }
 
-bundle! {
-    pub struct WordsIn<T> { pub address: T, pub low: T, pub data: T, pub write: T }
-    pub struct WordsOut<T> { pub old: T, pub gated: T, pub now: T, pub beyond: T, pub third: T, pub constants: T, pub loaded: T }
+block! {
+    /// Memories with several ports of each kind, of a depth that addresses exceed or do not.
+    pub struct Words;
+    in WordsIn { address: bits(4), low: bits(3), data: bits(8), write: bit() }
+    out WordsOut { old: _, gated: _, now: _, beyond: _, third: _, constants: _, loaded: _ }
 }
 
-/// Memories with several ports of each kind, of a depth that addresses exceed or do not.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Words;
-
-impl Block for Words {
-    type In = WordsIn;
-    type Out = WordsOut;
-
-    fn inputs(&self) -> WordsIn<Width> {
-        WordsIn { address: bits(4), low: bits(3), data: bits(8), write: bit() }
-    }
-
+impl Words {
     fn build(&self, m: Module, i: WordsIn) -> WordsOut {
         let words = m.memory("words", 11, 8, ReadUnderWrite::Old);
         words.write(i.write, i.address, i.data);

@@ -78,23 +78,14 @@ fn a_table_is_one_memory_and_what_is_read_has_names() {
     elaborate(&Table { crossing: true }).unwrap();
 }
 
-bundle! {
-    struct FlagIn<T> { address: T }
-    struct FlagOut<T> { found: T }
+block! {
+    /// Reads some fields only.
+    struct Flags;
+    in FlagIn { address: below(6) }
+    out FlagOut { found: _ }
 }
 
-/// Reads some fields only.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Flags;
-
-impl Block for Flags {
-    type In = FlagIn;
-    type Out = FlagOut;
-
-    fn inputs(&self) -> FlagIn<Width> {
-        FlagIn { address: below(6) }
-    }
-
+impl Flags {
     fn build(&self, m: Module, i: FlagIn) -> FlagOut {
         let entries = m.memory("entries", 6, entry(), ReadUnderWrite::Old).fill(Entry { resident: 1, page: [7, 9] });
         def!(named = entries.read(i.address));
@@ -115,19 +106,15 @@ codes! { enum Alu { Load, Add, Hold } }
 
 bundle! {
     struct Step<T> { alu: T, operand: T, ends: T }
-    struct RunOut<T> { sum: T, done: T }
 }
 
-/// Runs a program of records.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Run;
+block! {
+    /// Runs a program of records.
+    struct Run;
+    out RunOut { sum: _, done: _ }
+}
 
-impl Block for Run {
-    type In = ();
-    type Out = RunOut;
-
-    fn inputs(&self) {}
-
+impl Run {
     fn build(&self, m: Module, _: ()) -> RunOut {
         let step = |alu: Alu, operand| Step { alu: alu.code(), operand, ends: 0 };
         let end = Step { ends: 1, ..step(Alu::Hold, 0) };

@@ -4,7 +4,6 @@ use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
 bundle! {
-    struct Point<T> { x: T, y: T }
     /// A record, a list and an array in a record.
     struct Sprite<T> { visible: T, at: Point<T>, palette: Vec<T>, corners: [Point<T>; 2] }
     struct SpriteIn<T> { clear: T, load: T, hide: T, sprite: Sprite<T> }
@@ -88,22 +87,14 @@ fn it_is_reset_enabled_and_updated_as_one() {
     assert_eq!((sim.read_u64().held, sim.read_u64().delayed), (zero, other));
 }
 
-bundle! {
-    struct TurnIn<T> { first: T, second: T, third: T }
+block! {
+    /// A chain of conditions with an end.
+    struct Turn;
+    in TurnIn { first: bit(), second: bit(), third: bit() }
+    out Point { x: _, y: _ }
 }
 
-/// A chain of conditions with an end.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Turn;
-
-impl Block for Turn {
-    type In = TurnIn;
-    type Out = Point;
-
-    fn inputs(&self) -> TurnIn<Width> {
-        TurnIn { first: bit(), second: bit(), third: bit() }
-    }
-
+impl Turn {
     fn build(&self, m: Module, i: TurnIn) -> Point {
         let at = m.reg("at", Point { x: 8, y: 2 }).reset(0);
         at.when(i.first, Point { x: 7, y: 3 })

@@ -84,21 +84,16 @@ fn fields_of_any_kind_are_cleared() {
 bundle! {
     struct AccessIn<T> { enable: T, mode: T, start: Access<T> }
     struct Access<T> { address: T, value: T }
-    struct AccessOut<T> { sum: T, found: T, risen: T }
 }
 
-/// Values that may meet in a pipeline: those outside of it, those of the same stage, and those explicitly allowed.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Allowed;
+block! {
+    /// Values that may meet in a pipeline: those outside of it, those of the same stage, and those explicitly allowed.
+    struct Allowed;
+    in = AccessIn { enable: bit(), mode: bit(), start: Access { address: bits(4), value: bits(8) } };
+    out AccessOut { sum: _, found: _, risen: _ }
+}
 
-impl Block for Allowed {
-    type In = AccessIn;
-    type Out = AccessOut;
-
-    fn inputs(&self) -> AccessIn<Width> {
-        AccessIn { enable: bit(), mode: bit(), start: Access { address: bits(4), value: bits(8) } }
-    }
-
+impl Allowed {
     fn build(&self, m: Module, i: AccessIn) -> AccessOut {
         let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
         // A read beside the first stage joins it, and so does the result of `pipe_when`.

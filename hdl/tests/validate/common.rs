@@ -2,29 +2,18 @@
 
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{
-    Bits, Block, Clock, Design, Fields as _, Module as M, Period, ReadUnderWrite, Width, bit, bits, bundle, case, cat,
-    codes, elaborate, mux, select, stack,
+    Bits, Clock, Design, Fields as _, Module as M, Period, ReadUnderWrite, bit, bits, block, case, cat, codes,
+    elaborate, mux, select, stack,
 };
 
-bundle! {
-    struct StageIn<T> { a: T, enable: T }
-    struct StageOut<T> { at_once: T, later: T }
-    struct TopIn<T> { a: T, b: T, c: T }
-    struct TopOut<T> { sum: T, last: T, found: T, other: T }
+block! {
+    /// A register and a path past it.
+    struct Stage;
+    in StageIn { a: bits(8), enable: bit() }
+    out StageOut { at_once: _, later: _ }
 }
 
-/// A register and a path past it.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Stage;
-
-impl Block for Stage {
-    type In = StageIn;
-    type Out = StageOut;
-
-    fn inputs(&self) -> StageIn<Width> {
-        StageIn { a: bits(8), enable: bit() }
-    }
-
+impl Stage {
     fn build(&self, m: M, i: StageIn) -> StageOut {
         let q = m.reg("q", 8).reset(3).enable(i.enable);
         q.next(i.a);
@@ -36,18 +25,14 @@ const FAST: Clock = Clock::new("fast", Period::ns(4));
 
 codes! { enum Phase { Idle, Run, Done } }
 
-/// Every operator and every object, most of them named.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Top;
+block! {
+    /// Every operator and every object, most of them named.
+    struct Top;
+    in TopIn { a: bits(8), b: bits(8), c: bit() }
+    out TopOut { sum: _, last: _, found: _, other: _ }
+}
 
-impl Block for Top {
-    type In = TopIn;
-    type Out = TopOut;
-
-    fn inputs(&self) -> TopIn<Width> {
-        TopIn { a: bits(8), b: bits(8), c: bit() }
-    }
-
+impl Top {
     fn build(&self, m: M, i: TopIn) -> TopOut {
         let sum = (i.a + i.b).named("add");
         let product = (i.a * i.b).named("product");

@@ -218,7 +218,7 @@ impl Engine for Lockstep {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate};
+    use tilewright_hdl::{Module, bits, block, def, elaborate};
 
     use super::*;
     use crate::engine::Beginning;
@@ -226,23 +226,14 @@ mod tests {
     use crate::engine::reference;
     use crate::{Error, Simulation};
 
-    bundle! {
-        pub struct In<T> { pub x: T }
-        pub struct Out<T> { pub y: T }
+    block! {
+        /// Stores its input.
+        struct Follow;
+        in In { x: bits(8) }
+        out Out { y: _ }
     }
 
-    /// Stores its input.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Follow;
-
-    impl Block for Follow {
-        type In = In;
-        type Out = Out;
-
-        fn inputs(&self) -> In<Width> {
-            In { x: bits(8) }
-        }
-
+    impl Follow {
         fn build(&self, m: Module, i: In) -> Out {
             def!(y = m.reg(8).reset(0));
             y.next(i.x);

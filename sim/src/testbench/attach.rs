@@ -280,27 +280,18 @@ impl Running {
 #[cfg(test)]
 mod tests {
     use crate::Vcd;
-    use tilewright_hdl::{Block, Module, Width, bits, bundle, def};
+    use tilewright_hdl::{Module, bits, block, def};
 
     use super::*;
 
-    bundle! {
-        pub struct In<T> { pub x: T }
-        pub struct Out<T> { pub y: T }
+    block! {
+        /// A register.
+        struct Delay;
+        in In { x: bits(8) }
+        out Out { y: _ }
     }
 
-    /// A register.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Delay;
-
-    impl Block for Delay {
-        type In = In;
-        type Out = Out;
-
-        fn inputs(&self) -> In<Width> {
-            In { x: bits(8) }
-        }
-
+    impl Delay {
         fn build(&self, m: Module, i: In) -> Out {
             def!(y = m.reg(8).reset(0));
             y.next(i.x);

@@ -1,7 +1,7 @@
 //! Values of many lanes that both assertions and an edge need are the same as on the reference engine, and so is the
 //! cycle in which an assertion fails.
 
-use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate, mux, stack};
+use tilewright_hdl::{Block, Module, Width, bits, block, bundle, def, elaborate, mux, stack};
 use tilewright_sim::{EngineKind, Passes, Simulation, Target};
 
 use crate::circuits::random::Random;
@@ -9,24 +9,18 @@ use crate::circuits::random::Random;
 const WORKERS: u64 = 9;
 
 bundle! {
-    pub struct WorkerIn<T> { pub line: T, pub flag: T }
-    pub struct WorkerOut<T> { pub sum: T, pub flagged: T }
     pub struct RowIn<T> { pub workers: Vec<WorkerIn<T>> }
     pub struct RowOut<T> { pub count: T, pub least: T, pub sums: T }
 }
 
-/// Adds up its input.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Worker;
+block! {
+    /// Adds up its input.
+    struct Worker;
+    in WorkerIn { line: bits(8), flag: bits(1) }
+    out WorkerOut { sum: _, flagged: _ }
+}
 
-impl Block for Worker {
-    type In = WorkerIn;
-    type Out = WorkerOut;
-
-    fn inputs(&self) -> WorkerIn<Width> {
-        WorkerIn { line: bits(8), flag: bits(1) }
-    }
-
+impl Worker {
     fn build(&self, m: Module, i: WorkerIn) -> WorkerOut {
         def!(sum = m.reg(8).reset(0));
         sum.when(i.flag, sum + i.line);

@@ -5,28 +5,18 @@ use std::path::PathBuf;
 
 use crate::circuits::store::Store;
 use tilewright_hdl::{
-    Bits, Block, Design, Module, ReadUnderWrite, Width, bits, bundle, cat, codes, constants, elaborate, mux, stack,
-    when,
+    Bits, Block, Design, Module, ReadUnderWrite, bits, block, cat, codes, constants, elaborate, mux, stack, when,
 };
 use tilewright_sim::{Batch, EngineKind, Error, Port, Simulation, Vcd};
 
-bundle! {
-    pub struct CellIn<T> { pub left: T, pub own: T }
-    pub struct CellOut<T> { pub value: T }
+block! {
+    /// A memory and a register of 12 bits, both without a known start.
+    struct Cell;
+    in CellIn { left: bits(12), own: bits(12) }
+    out CellOut { value: _ }
 }
 
-/// A memory and a register of 12 bits, both without a known start.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell;
-
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { left: bits(12), own: bits(12) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let value = m.reg("value", 12);
         let store = m.memory("store", 5, 12, ReadUnderWrite::Any);
@@ -41,23 +31,14 @@ codes! {
     enum Turn { Left, Right }
 }
 
-bundle! {
-    pub struct MixedIn<T> { pub x: T, pub mix: T, pub at: T }
-    pub struct MixedOut<T> { pub sum: T, pub wide: T, pub word: T, pub scrambled: T }
+block! {
+    /// An array with memories, a memory of its own, a value of 100 bits, a state machine, and state without a reset.
+    struct Mixed;
+    in MixedIn { x: bits(12), mix: bits(100), at: bits(3) }
+    out MixedOut { sum: _, wide: _, word: _, scrambled: _ }
 }
 
-/// An array with memories, a memory of its own, a value of 100 bits, a state machine, and state without a reset.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Mixed;
-
-impl Block for Mixed {
-    type In = MixedIn;
-    type Out = MixedOut;
-
-    fn inputs(&self) -> MixedIn<Width> {
-        MixedIn { x: bits(12), mix: bits(100), at: bits(3) }
-    }
-
+impl Mixed {
     fn build(&self, m: Module, i: MixedIn) -> MixedOut {
         let cells = m.array("u_cell", 3, &Cell, |a| CellIn {
             left: a.value.previous(i.x),
@@ -79,25 +60,14 @@ impl Block for Mixed {
     }
 }
 
-bundle! {
-    pub struct LimitIn<T> { pub add: T }
-    pub struct LimitOut<T> { pub total: T }
+block! {
+    /// A sum that must stay below 100, in an instance.
+    struct Limit { inside: bool }
+    in LimitIn { add: bits(4) }
+    out LimitOut { total: _ }
 }
 
-/// A sum that must stay below 100, in an instance.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Limit {
-    inside: bool,
-}
-
-impl Block for Limit {
-    type In = LimitIn;
-    type Out = LimitOut;
-
-    fn inputs(&self) -> LimitIn<Width> {
-        LimitIn { add: bits(4) }
-    }
-
+impl Limit {
     fn build(&self, m: Module, i: LimitIn) -> LimitOut {
         if self.inside {
             let total = m.reg("total", 8).reset(0);

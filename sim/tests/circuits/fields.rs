@@ -1,21 +1,15 @@
 //! Words that the compiled engine splits into fields: side by side with the reference engine, the result is the same
 //! as for whole words.
 
-use tilewright_hdl::{
-    Bits, Block, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, concat, elaborate, lit, mux, row,
-};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, Signal, bit, bits, block, cat, concat, elaborate, lit, mux, row};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-bundle! {
-    pub struct CellIn<T> { pub x: T, pub go: T, pub at: T }
-    pub struct CellOut<T> { pub y: T, pub word: T }
-}
-
-/// Words of two rows and a few fields on their way through a register without a reset, one with a reset, a choice and
-/// two memories.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell {
-    policy: ReadUnderWrite,
+block! {
+    /// Words of two rows and a few fields on their way through a register without a reset, one with a reset, a choice
+    /// and two memories.
+    struct Cell { policy: ReadUnderWrite }
+    in CellIn { x: bits(33), go: bit(), at: bits(3) }
+    out CellOut { y: _, word: _ }
 }
 
 const WIDTH: u32 = 3 * 24 + 6 * 16 + 33 + 7 + 1;
@@ -35,14 +29,7 @@ fn fold(word: Signal) -> Signal {
         ^ word.bit(0).zext(64)
 }
 
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(33), go: bit(), at: bits(3) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let state = m.reg("state", bits(24).of(row(3))).reset(1);
         state.next(state.rotate_left(5) + i.x.trunc(24));
@@ -69,26 +56,14 @@ impl Block for Cell {
     }
 }
 
-bundle! {
-    pub struct TopIn<T> { pub x: T, pub go: T, pub at: T }
-    pub struct TopOut<T> { pub y: T, pub last: T }
+block! {
+    /// One of them, or an array.
+    struct Top { cells: u32, policy: ReadUnderWrite }
+    in TopIn { x: bits(33), go: bit(), at: bits(3) }
+    out TopOut { y: _, last: _ }
 }
 
-/// One of them, or an array.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Top {
-    cells: u32,
-    policy: ReadUnderWrite,
-}
-
-impl Block for Top {
-    type In = TopIn;
-    type Out = TopOut;
-
-    fn inputs(&self) -> TopIn<Width> {
-        TopIn { x: bits(33), go: bit(), at: bits(3) }
-    }
-
+impl Top {
     fn build(&self, m: Module, i: TopIn) -> TopOut {
         let cells = m.array("u_cell", self.cells, &Cell { policy: self.policy }, |a| {
             let x = a.y.previous(i.x.zext(64)).trunc(33) ^ i.x;

@@ -1,9 +1,7 @@
 //! Clocks that have nothing to do while others run: the results equal those of the reference engine, and edges are
 //! skipped.
 
-use tilewright_hdl::{
-    Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, elaborate, mux,
-};
+use tilewright_hdl::{Clock, Module, Period, ReadUnderWrite, Signal, bit, bits, block, cat, elaborate, mux};
 use tilewright_sim::{EngineKind, Passes, Simulation, Target};
 
 use crate::circuits::random::{Again, Random, campaign};
@@ -12,16 +10,12 @@ const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
 const LATE: Clock = Clock::new("late", Period::ps(5_000));
 
-bundle! {
-    struct WorkerIn<T> { go: T, x: T, tick: T, word: T }
-    struct WorkerOut<T> { value: T, works: T, since: T }
-}
-
-/// Works for some clocks when it is told to, on its own clock or by another one. It counts the clocks since then, up
-/// to a limit.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Worker {
-    seed: u64,
+block! {
+    /// Works for some clocks when it is told to, on its own clock or by another one. It counts the clocks since then,
+    /// up to a limit.
+    struct Worker { seed: u64 }
+    in WorkerIn { go: bit().on(FAST), x: bits(8).on(FAST), tick: bit().on(SLOW), word: bits(8).on(SLOW) }
+    out WorkerOut { value: _, works: _, since: _ }
 }
 
 impl Worker {
@@ -34,15 +28,6 @@ impl Worker {
             2 => mux(a.lt(b), b, c),
             _ => cat![a.slice(0..4), b.slice(4..8)],
         }
-    }
-}
-
-impl Block for Worker {
-    type In = WorkerIn;
-    type Out = WorkerOut;
-
-    fn inputs(&self) -> WorkerIn<Width> {
-        WorkerIn { go: bit().on(FAST), x: bits(8).on(FAST), tick: bit().on(SLOW), word: bits(8).on(SLOW) }
     }
 
     fn build(&self, m: Module, i: WorkerIn) -> WorkerOut {
@@ -106,25 +91,14 @@ impl Block for Worker {
     }
 }
 
-bundle! {
-    struct MachineIn<T> { go: T, x: T, quick: T }
-    struct MachineOut<T> { value: T, works: T, since: T, turns: T, slept: T }
+block! {
+    /// Workers on one clock, a running clock that wakes them, and one that does hardly anything.
+    struct Machine { seed: u64 }
+    in MachineIn { go: bit().on(FAST), x: bits(8).on(FAST), quick: bit().on(SLOW) }
+    out MachineOut { value: _, works: _, since: _, turns: _, slept: _ }
 }
 
-/// Workers on one clock, a running clock that wakes them, and one that does hardly anything.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Machine {
-    seed: u64,
-}
-
-impl Block for Machine {
-    type In = MachineIn;
-    type Out = MachineOut;
-
-    fn inputs(&self) -> MachineIn<Width> {
-        MachineIn { go: bit().on(FAST), x: bits(8).on(FAST), quick: bit().on(SLOW) }
-    }
-
+impl Machine {
     fn build(&self, m: Module, i: MachineIn) -> MachineOut {
         let mut random = Random::new(self.seed);
         let (slow, late) = (m.on(SLOW), m.on(LATE));

@@ -1,31 +1,22 @@
 //! Many instants of several clocks at once, without observers: the final state equals that of the reference engine,
 //! also if an assertion fails.
 
-use tilewright_hdl::{Block, Clock, Module, Period, Width, bit, bits, bundle, def, elaborate, row};
+use tilewright_hdl::{Clock, Module, Period, bit, bits, block, def, elaborate, row};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
 const QUICK: Clock = Clock::new("quick", Period::ps(1_000));
 const FAST: Clock = Clock::new("fast", Period::ps(2_500));
 const SLOW: Clock = Clock::new("slow", Period::ps(8_000));
 
-bundle! {
-    pub struct In<T> { pub go: T, pub limit: T, pub pace: T }
-    pub struct Out<T> { pub sum: T, pub since: T, pub turns: T, pub ticks: T, pub heard: T }
+block! {
+    /// Lanes that add for some clocks when an input or the slow clock tells them to, and then rest except for a
+    /// counter. A fast clock counts by itself; the slow one looks at both.
+    pub(super) struct Clocks;
+    in In { go: bit().on(FAST), limit: bits(12).on(SLOW), pace: bits(2).on(QUICK) }
+    out Out { sum: _, since: _, turns: _, ticks: _, heard: _ }
 }
 
-/// Lanes that add for some clocks when an input or the slow clock tells them to, and then rest except for a counter.
-/// A fast clock counts by itself; the slow one looks at both.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub(super) struct Clocks;
-
-impl Block for Clocks {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { go: bit().on(FAST), limit: bits(12).on(SLOW), pace: bits(2).on(QUICK) }
-    }
-
+impl Clocks {
     fn build(&self, m: Module, i: In) -> Out {
         let (quick, fast, slow) = (m.on(QUICK), m.on(FAST), m.on(SLOW));
         def!(turns = slow.reg(12).reset(0));

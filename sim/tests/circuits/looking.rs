@@ -1,26 +1,17 @@
 //! A testbench that looks at every clock sees the same as on the reference engine, even after code is made for its
 //! looks.
 
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, def, elaborate, mux};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, def, elaborate, mux};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-bundle! {
-    pub struct In<T> { pub add: T, pub wide: T, pub store: T }
-    pub struct Out<T> { pub sum: T, pub next: T, pub word: T, pub widened: T }
+block! {
+    /// Outputs that depend on a register, a memory and the inputs; the edge needs the same values.
+    struct Mixed;
+    in In { add: bits(8), wide: bits(70), store: bit() }
+    out Out { sum: _, next: _, word: _, widened: _ }
 }
 
-/// Outputs that depend on a register, a memory and the inputs; the edge needs the same values.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Mixed;
-
-impl Block for Mixed {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { add: bits(8), wide: bits(70), store: bit() }
-    }
-
+impl Mixed {
     fn build(&self, m: Module, i: In) -> Out {
         let sum = m.reg("sum", 8).reset(3);
         let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::zero(8));

@@ -2,31 +2,20 @@
 
 use std::path::Path;
 
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, def, elaborate, lit, mux};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, def, elaborate, lit, mux};
 use tilewright_sim::{EngineKind, Passes, Simulation, Vcd};
 
 use crate::circuits::store::Store;
 
-bundle! {
-    pub struct In<T> { pub add: T, pub gate: T, pub wide: T, pub go: T }
-    pub struct Out<T> { pub sum: T, pub next: T, pub gated: T, pub word: T, pub fetched: T, pub total: T, pub widened: T }
+block! {
+    /// Registers of all kinds, plain and enabled, narrow and wide, with a given number of others beside them; memories
+    /// read asynchronously and synchronously, and written by two ports.
+    struct Machine { beside: u32 }
+    in In { add: bits(8), gate: bit(), wide: bits(70), go: bit() }
+    out Out { sum: _, next: _, gated: _, word: _, fetched: _, total: _, widened: _ }
 }
 
-/// Registers of all kinds, plain and enabled, narrow and wide, with a given number of others beside them; memories
-/// read asynchronously and synchronously, and written by two ports.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Machine {
-    beside: u32,
-}
-
-impl Block for Machine {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { add: bits(8), gate: bit(), wide: bits(70), go: bit() }
-    }
-
+impl Machine {
     fn build(&self, m: Module, i: In) -> Out {
         let sum = m.reg("sum", 8).reset(3);
         let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::zero(8)).true_dual_port();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::{Block, Module, Width, bits, bundle, cat, constants, stack};
+use tilewright_hdl::{Block, Module, Width, bits, block, bundle, cat, constants, stack};
 use tilewright_sim::{EngineKind, Simulation};
 
 /// Runs a block without inputs on both engines. Its output must change, or there would be little to compare.
@@ -19,25 +19,19 @@ fn agree<B: Block<Out = SumOut>>(block: &B) {
 }
 
 bundle! {
-    pub struct AdderIn<T> { pub row: T, pub sum: T }
-    pub struct AdderOut<T> { pub x: T }
     pub struct GroupIn<T> { pub even: T, pub odd: T }
     pub struct SeedIn<T> { pub seed: T }
     pub struct SumOut<T> { pub sum: T }
 }
 
-/// Adds its row's value to its own.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Adder;
+block! {
+    /// Adds its row's value to its own.
+    struct Adder;
+    in AdderIn { row: bits(32), sum: bits(32) }
+    out AdderOut { x: _ }
+}
 
-impl Block for Adder {
-    type In = AdderIn;
-    type Out = AdderOut;
-
-    fn inputs(&self) -> AdderIn<Width> {
-        AdderIn { row: bits(32), sum: bits(32) }
-    }
-
+impl Adder {
     fn build(&self, m: Module, i: AdderIn) -> AdderOut {
         let own = m.reg("own", 32).reset(7);
         own.next((*own ^ i.sum) + i.row);

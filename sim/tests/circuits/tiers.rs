@@ -1,28 +1,17 @@
 //! A run that begins on the interpreter and goes on in machine code is the same run, wherever the code begins.
 
 use crate::circuits::random::Random;
-use tilewright_hdl::{
-    Bits, Block, DEFAULT_PERIOD, DefaultClock, Module, ReadUnderWrite, Reset, Width, bit, bits, bundle,
-};
+use tilewright_hdl::{Bits, DEFAULT_PERIOD, DefaultClock, Module, ReadUnderWrite, Reset, bit, bits, block};
 use tilewright_sim::{EngineKind, Simulation};
 
-bundle! {
-    struct In<T> { add: T, word: T, write: T }
-    struct Out<T> { sum: T, read: T, wide: T }
+block! {
+    /// A sum with a reset, a memory at whose address it is, and a wide register without a reset.
+    struct Machine;
+    in In { add: bits(4), word: bits(16), write: bit() }
+    out Out { sum: _, read: _, wide: _ }
 }
 
-/// A sum with a reset, a memory at whose address it is, and a wide register without a reset.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Machine;
-
-impl Block for Machine {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { add: bits(4), word: bits(16), write: bit() }
-    }
-
+impl Machine {
     fn build(&self, m: Module, i: In) -> Out {
         let sum = m.reg("sum", 4).reset(3);
         sum.next(sum + i.add);

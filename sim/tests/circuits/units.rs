@@ -1,32 +1,19 @@
 //! Instances that run one by one and are skipped while they have nothing to do: the results equal those of the
 //! reference engine.
 
-use tilewright_hdl::{
-    Block, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, constants, elaborate, lit, mux, row,
-};
+use tilewright_hdl::{Module, ReadUnderWrite, Signal, bit, bits, block, cat, constants, elaborate, lit, mux, row};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
 use crate::circuits::random::{Again, Random, campaign};
 
-bundle! {
-    struct LaneIn<T> { go: T, x: T, own: T }
-    struct LaneOut<T> { y: T, flag: T }
+block! {
+    /// A lane of a unit.
+    struct Lane { seed: u64 }
+    in LaneIn { go: bit(), x: bits(8), own: bits(8) }
+    out LaneOut { y: _, flag: _ }
 }
 
-/// A lane of a unit.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Lane {
-    seed: u64,
-}
-
-impl Block for Lane {
-    type In = LaneIn;
-    type Out = LaneOut;
-
-    fn inputs(&self) -> LaneIn<Width> {
-        LaneIn { go: bit(), x: bits(8), own: bits(8) }
-    }
-
+impl Lane {
     fn build(&self, m: Module, i: LaneIn) -> LaneOut {
         let mut random = Random::new(self.seed);
         let policy = random.one(&[ReadUnderWrite::Old, ReadUnderWrite::Any]);
@@ -45,16 +32,11 @@ impl Block for Lane {
     }
 }
 
-bundle! {
-    struct UnitIn<T> { go: T, x: T, left: T }
-    struct UnitOut<T> { y: T, busy: T }
-}
-
-/// A unit: it works while it is told to, and for some clocks more.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Unit {
-    seed: u64,
-    lanes: u32,
+block! {
+    /// A unit: it works while it is told to, and for some clocks more.
+    struct Unit { seed: u64, lanes: u32 }
+    in UnitIn { go: bit(), x: bits(8), left: bits(8) }
+    out UnitOut { y: _, busy: _ }
 }
 
 impl Unit {
@@ -68,15 +50,6 @@ impl Unit {
             3 => a & !b,
             _ => cat![a.slice(0..4), b.slice(4..8)],
         }
-    }
-}
-
-impl Block for Unit {
-    type In = UnitIn;
-    type Out = UnitOut;
-
-    fn inputs(&self) -> UnitIn<Width> {
-        UnitIn { go: bit(), x: bits(8), left: bits(8) }
     }
 
     fn build(&self, m: Module, i: UnitIn) -> UnitOut {
@@ -112,26 +85,14 @@ impl Block for Unit {
     }
 }
 
-bundle! {
-    struct ChainIn<T> { go: T, x: T }
-    struct ChainOut<T> { lanes: T, words: T, copy: T }
+block! {
+    /// A unit in which numbers pass through rows of lanes, or through memories, while no scalar register changes.
+    struct Chain { lanes: u32, is_of_memories: bool }
+    in ChainIn { go: bit(), x: bits(8) }
+    out ChainOut { lanes: _, words: _, copy: _ }
 }
 
-/// A unit in which numbers pass through rows of lanes, or through memories, while no scalar register changes.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Chain {
-    lanes: u32,
-    is_of_memories: bool,
-}
-
-impl Block for Chain {
-    type In = ChainIn;
-    type Out = ChainOut;
-
-    fn inputs(&self) -> ChainIn<Width> {
-        ChainIn { go: bit(), x: bits(8) }
-    }
-
+impl Chain {
     fn build(&self, m: Module, i: ChainIn) -> ChainOut {
         let [shifts, writes] = [!self.is_of_memories, self.is_of_memories].map(|does| i.go & lit(1, does));
         let row = row(self.lanes);
@@ -153,25 +114,14 @@ impl Block for Chain {
     }
 }
 
-bundle! {
-    struct MachineIn<T> { go: T, x: T }
-    struct MachineOut<T> { all: T, busy: T, chained: T }
+block! {
+    /// Units in a row.
+    struct Machine { seed: u64 }
+    in MachineIn { go: bits(5), x: bits(8) }
+    out MachineOut { all: _, busy: _, chained: _ }
 }
 
-/// Units in a row.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Machine {
-    seed: u64,
-}
-
-impl Block for Machine {
-    type In = MachineIn;
-    type Out = MachineOut;
-
-    fn inputs(&self) -> MachineIn<Width> {
-        MachineIn { go: bits(5), x: bits(8) }
-    }
-
+impl Machine {
     fn build(&self, m: Module, i: MachineIn) -> MachineOut {
         let mut random = Random::new(self.seed);
         let unit = Unit { seed: self.seed + 1, lanes: random.one(&[1, 3, 5, 16, 64, 65, 80]) };

@@ -3,31 +3,22 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, lit, when};
+use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, codes, lit, when};
 use tilewright_sim::{EngineKind, Error, Passes, Simulation, Trace, Vcd};
-
-bundle! {
-    pub struct MixIn<T> { pub go: T, pub word: T, pub limit: T }
-    pub struct MixOut<T> { pub wide: T, pub read: T }
-}
 
 codes! {
     enum Phase { Idle, Load, Store }
 }
 
-/// Values of all kinds in a row: one bit, several bits, several limbs, names of codes, words of a memory; and an
-/// assertion on a count.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub(super) struct Mix;
+block! {
+    /// Values of all kinds in a row: one bit, several bits, several limbs, names of codes, words of a memory; and an
+    /// assertion on a count.
+    pub(super) struct Mix;
+    in MixIn { go: bit(), word: bits(33), limit: bits(12) }
+    out MixOut { wide: _, read: _ }
+}
 
-impl Block for Mix {
-    type In = MixIn;
-    type Out = MixOut;
-
-    fn inputs(&self) -> MixIn<Width> {
-        MixIn { go: bit(), word: bits(33), limit: bits(12) }
-    }
-
+impl Mix {
     fn build(&self, m: Module, i: MixIn) -> MixOut {
         let count = m.reg("count", 12).reset(0);
         count.next(count + 1);

@@ -1,28 +1,16 @@
 //! Values of thousands of bits, on threads with a small stack: no code may need more than there is.
 
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, concat, elaborate, mux};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, concat, elaborate, mux};
 use tilewright_sim::{Batch, EngineKind, Simulation};
 
-bundle! {
-    pub struct CellIn<T> { pub x: T, pub left: T, pub pick: T }
-    pub struct CellOut<T> { pub value: T, pub sum: T }
+block! {
+    /// A register, a memory, and each kind of operation on wide values, with many of them live at once.
+    struct Cell { width: u32, operations: u32 }
+    in(self) CellIn { x: bits(self.width), left: bits(self.width), pick: bit() }
+    out CellOut { value: _, sum: _ }
 }
 
-/// A register, a memory, and each kind of operation on wide values, with many of them live at once.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell {
-    width: u32,
-    operations: u32,
-}
-
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(self.width), left: bits(self.width), pick: bit() }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let w = self.width;
         let value = m.reg("value", w).reset(5);
@@ -48,26 +36,13 @@ impl Block for Cell {
     }
 }
 
-bundle! {
-    pub struct RowIn<T> { pub x: T, pub pick: T }
-    pub struct RowOut<T> { pub sum: T, pub all: T, pub last: T }
+block! {
+    struct Row { lanes: u32, width: u32, operations: u32 }
+    in(self) RowIn { x: bits(self.width), pick: bit() }
+    out RowOut { sum: _, all: _, last: _ }
 }
 
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Row {
-    lanes: u32,
-    width: u32,
-    operations: u32,
-}
-
-impl Block for Row {
-    type In = RowIn;
-    type Out = RowOut;
-
-    fn inputs(&self) -> RowIn<Width> {
-        RowIn { x: bits(self.width), pick: bit() }
-    }
-
+impl Row {
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cell = Cell { width: self.width, operations: self.operations };
         let out =

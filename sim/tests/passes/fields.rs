@@ -1,27 +1,18 @@
 //! Wide words, split.
 
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bits, bundle, cat, lit, row};
+use tilewright_hdl::{Module, ReadUnderWrite, bits, block, cat, lit, row};
 use tilewright_sim::{Pass, Passes};
 
 use crate::passes::{after, after_with, is};
 
-bundle! {
-    pub struct WordsIn<T> { pub address: T, pub x: T }
-    pub struct WordsOut<T> { pub row: T, pub low: T }
+block! {
+    /// Stores a row and a number in a word.
+    struct Words;
+    in WordsIn { address: bits(2), x: bits(16) }
+    out WordsOut { row: _, low: _ }
 }
 
-/// Stores a row and a number in a word.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Words;
-
-impl Block for Words {
-    type In = WordsIn;
-    type Out = WordsOut;
-
-    fn inputs(&self) -> WordsIn<Width> {
-        WordsIn { address: bits(2), x: bits(16) }
-    }
-
+impl Words {
     fn build(&self, m: Module, i: WordsIn) -> WordsOut {
         let (words, last) = (m.memory("words", 4, 112, ReadUnderWrite::Old), m.reg("last", 112).reset(0));
         let steps = m.reg("steps", bits(32).of(row(3))).reset(7);

@@ -1,27 +1,18 @@
 //! From a design to a program.
 
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, constants, stack};
+use tilewright_hdl::{Block, Module, Width, bit, bits, block, bundle, constants, stack};
 use tilewright_sim::{Pass, Passes};
 
 use crate::passes::{after, after_with, is};
 
-bundle! {
-    pub struct CellIn<T> { pub x: T, pub op: T }
-    pub struct CellOut<T> { pub sum: T }
+block! {
+    /// A running sum.
+    struct Cell;
+    in CellIn { x: bits(8), op: bits(8) }
+    out CellOut { sum: _ }
 }
 
-/// A running sum.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell;
-
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(8), op: bits(8) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let sum = m.reg("sum", 8).reset(0);
         let mask = (i.op ^ 0x55) & (i.op + 1) & (i.op + 2);
@@ -148,23 +139,14 @@ fn uniform() {
     );
 }
 
-bundle! {
-    pub struct PairIn<T> { pub a: T, pub b: T }
-    pub struct PairOut<T> { pub y: T, pub z: T }
+block! {
+    /// Duplicate expressions, and expressions without effect.
+    struct Twice;
+    in PairIn { a: bits(8), b: bits(8) }
+    out PairOut { y: _, z: _ }
 }
 
-/// Duplicate expressions, and expressions without effect.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Twice;
-
-impl Block for Twice {
-    type In = PairIn;
-    type Out = PairOut;
-
-    fn inputs(&self) -> PairIn<Width> {
-        PairIn { a: bits(8), b: bits(8) }
-    }
-
+impl Twice {
     fn build(&self, _: Module, i: PairIn) -> PairOut {
         let sum = (i.a + i.b).named("sum");
         let again = (i.a + i.b).named("again");

@@ -1,27 +1,18 @@
 //! From a program to the functions of generated code.
 
-use tilewright_hdl::{Bits, Block, Module, Width, bit, bits, bundle, case, cat, row};
+use tilewright_hdl::{Bits, Module, bit, bits, block, case, cat, row};
 use tilewright_sim::{Pass, Passes};
 
 use crate::passes::{after, after_with, is};
 
-bundle! {
-    pub struct CounterIn<T> { pub enable: T, pub from: T }
-    pub struct CounterOut<T> { pub count: T, pub code: T, pub turned: T }
+block! {
+    /// A counter, a table and a rotation.
+    struct Counter;
+    in CounterIn { enable: bit(), from: bits(16) }
+    out CounterOut { count: _, code: _, turned: _ }
 }
 
-/// A counter, a table and a rotation.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Counter;
-
-impl Block for Counter {
-    type In = CounterIn;
-    type Out = CounterOut;
-
-    fn inputs(&self) -> CounterIn<Width> {
-        CounterIn { enable: bit(), from: bits(16) }
-    }
-
+impl Counter {
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
         let count = m.reg("count", 8).reset(0);
         count.enable(i.enable).next(count + 1);
@@ -124,23 +115,14 @@ fn sequence() {
     );
 }
 
-bundle! {
-    pub struct CellIn<T> { pub op: T, pub left: T }
-    pub struct CellOut<T> { pub q: T }
+block! {
+    /// Applies an opcode to its neighbour's value.
+    struct Cell;
+    in CellIn { op: bits(2), left: bits(8) }
+    out CellOut { q: _ }
 }
 
-/// Applies an opcode to its neighbour's value.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell;
-
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { op: bits(2), left: bits(8) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let q = m.reg("q", 8).reset(0);
         let [sum, both] = [q + i.left, q & i.left];
@@ -150,25 +132,14 @@ impl Block for Cell {
     }
 }
 
-bundle! {
-    pub struct RowIn<T> { pub op: T, pub seed: T }
-    pub struct RowOut<T> { pub all: T }
+block! {
+    /// A row of cells, each with the one before it.
+    struct Row { lanes: u32 }
+    in RowIn { op: bits(2), seed: bits(8) }
+    out RowOut { all: _ }
 }
 
-/// A row of cells, each with the one before it.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Row {
-    lanes: u32,
-}
-
-impl Block for Row {
-    type In = RowIn;
-    type Out = RowOut;
-
-    fn inputs(&self) -> RowIn<Width> {
-        RowIn { op: bits(2), seed: bits(8) }
-    }
-
+impl Row {
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cells = m.array("u_cell", self.lanes, &Cell, |a| CellIn { op: i.op, left: a.q.previous(i.seed) });
         RowOut { all: m.pipe("all", cells.q.xor_all()) }
@@ -231,23 +202,14 @@ fn plan() {
     );
 }
 
-bundle! {
-    pub struct HeatIn<T> { pub ends: T }
-    pub struct HeatOut<T> { pub all: T }
+block! {
+    /// A rod of cells; each takes the sum of its neighbours' old values.
+    struct Heat;
+    in HeatIn { ends: bits(8) }
+    out HeatOut { all: _ }
 }
 
-/// A rod of cells; each takes the sum of its neighbours' old values.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Heat;
-
-impl Block for Heat {
-    type In = HeatIn;
-    type Out = HeatOut;
-
-    fn inputs(&self) -> HeatIn<Width> {
-        HeatIn { ends: bits(8) }
-    }
-
+impl Heat {
     fn build(&self, m: Module, i: HeatIn) -> HeatOut {
         let heat = m.reg("heat", bits(8).of(row(64)));
         let flow = m.reg("flow", bits(8).of(row(64)));

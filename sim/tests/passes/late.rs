@@ -1,27 +1,18 @@
 //! Work that is postponed, and work that is left out at the start.
 
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, block, bundle, row};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bits, block, row};
 use tilewright_sim::{Pass, Passes};
 
 use crate::passes::{after, after_with, is};
 
-bundle! {
-    pub struct MixIn<T> { pub all: T }
-    pub struct MixOut<T> { pub q: T }
+block! {
+    /// Uses the common value of all cells.
+    struct Mix;
+    in MixIn { all: bits(8) }
+    out MixOut { q: _ }
 }
 
-/// Uses the common value of all cells.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Mix;
-
-impl Block for Mix {
-    type In = MixIn;
-    type Out = MixOut;
-
-    fn inputs(&self) -> MixIn<Width> {
-        MixIn { all: bits(8) }
-    }
-
+impl Mix {
     fn build(&self, m: Module, i: MixIn) -> MixOut {
         let q = m.reg("q", 8).reset(0);
         q.next(((q << 3) ^ q) + i.all);
@@ -29,20 +20,13 @@ impl Block for Mix {
     }
 }
 
-bundle! {
-    pub struct MixerOut<T> { pub all: T }
+block! {
+    /// A row whose cells see their sum.
+    pub(super) struct Mixer;
+    out MixerOut { all: _ }
 }
 
-/// A row whose cells see their sum.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub(super) struct Mixer;
-
-impl Block for Mixer {
-    type In = ();
-    type Out = MixerOut;
-
-    fn inputs(&self) {}
-
+impl Mixer {
     fn build(&self, m: Module, (): ()) -> MixerOut {
         let mut all = None;
         m.array("u_cell", 64, &Mix, |a| {
@@ -92,23 +76,14 @@ fn postpone() {
     );
 }
 
-bundle! {
-    pub struct FilledIn<T> { pub address: T, pub word: T }
-    pub struct FilledOut<T> { pub data: T }
+block! {
+    /// A memory full of ones.
+    pub(super) struct Filled;
+    in FilledIn { address: bits(4), word: bits(8) }
+    out FilledOut { data: _ }
 }
 
-/// A memory full of ones.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub(super) struct Filled;
-
-impl Block for Filled {
-    type In = FilledIn;
-    type Out = FilledOut;
-
-    fn inputs(&self) -> FilledIn<Width> {
-        FilledIn { address: bits(4), word: bits(8) }
-    }
-
+impl Filled {
     fn build(&self, m: Module, i: FilledIn) -> FilledOut {
         let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::ones(8));
         words.write(tilewright_hdl::lit(1, 1), i.address, i.word);

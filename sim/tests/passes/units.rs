@@ -1,27 +1,18 @@
 //! Instances that run one by one.
 
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, def, row};
+use tilewright_hdl::{Module, bit, bits, block, def, row};
 use tilewright_sim::{Pass, Passes};
 
 use crate::passes::{after, after_with};
 
-bundle! {
-    pub struct NodeIn<T> { pub go: T, pub x: T }
-    pub struct NodeOut<T> { pub sum: T }
+block! {
+    /// Adds while it is told to.
+    struct Node;
+    in NodeIn { go: bit(), x: bits(8) }
+    out NodeOut { sum: _ }
 }
 
-/// Adds while it is told to.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Node;
-
-impl Block for Node {
-    type In = NodeIn;
-    type Out = NodeOut;
-
-    fn inputs(&self) -> NodeIn<Width> {
-        NodeIn { go: bit(), x: bits(8) }
-    }
-
+impl Node {
     fn build(&self, m: Module, i: NodeIn) -> NodeOut {
         let sum = m.reg("sum", 8).reset(0);
         sum.when(i.go, sum + i.x);
@@ -29,23 +20,14 @@ impl Block for Node {
     }
 }
 
-bundle! {
-    pub struct NodesIn<T> { pub go: T }
-    pub struct NodesOut<T> { pub all: T }
+block! {
+    /// Each adds the previous one's value.
+    struct Nodes;
+    in NodesIn { go: bits(2) }
+    out NodesOut { all: _ }
 }
 
-/// Each adds the previous one's value.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Nodes;
-
-impl Block for Nodes {
-    type In = NodesIn;
-    type Out = NodesOut;
-
-    fn inputs(&self) -> NodesIn<Width> {
-        NodesIn { go: bits(2) }
-    }
-
+impl Nodes {
     fn build(&self, m: Module, i: NodesIn) -> NodesOut {
         def!(is_busy = i.go.unpack(row(2)));
         let nodes = m.array("u_node", 2, &Node, |nodes| NodeIn { go: is_busy, x: nodes.sum.previous(1) });

@@ -7,21 +7,16 @@ use tilewright_sim::Simulation;
 
 bundle! {
     struct TableIn<T> { at: T, write: T }
-    struct TableOut<T> { unknown: T, known: T, filled: T }
 }
 
-/// Two rows of memories, of unknown and of known contents.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Table;
+block! {
+    /// Two rows of memories, of unknown and of known contents.
+    struct Table;
+    in = TableIn { at: bits(3), write: bit() };
+    out TableOut { unknown: _, known: _, filled: _ }
+}
 
-impl Block for Table {
-    type In = TableIn;
-    type Out = TableOut;
-
-    fn inputs(&self) -> TableIn<Width> {
-        TableIn { at: bits(3), write: bit() }
-    }
-
+impl Table {
     fn build(&self, m: Module, i: TableIn) -> TableOut {
         let unknown = m.memory("unknowns", 8, 8, ReadUnderWrite::Old);
         let known = m.memory("knowns", 8, 8, ReadUnderWrite::Old).words((0..5).map(|word| Bits::new(8, 16 + word)));

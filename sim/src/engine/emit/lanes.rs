@@ -2,7 +2,7 @@
 //!
 //! A value may exist in several forms at once: in elements of different sizes, with or without undefined bits above
 //! its width, 1-bit values as masks. Conversions are made where an operation needs them, and remembered. Unused forms
-//! cost nothing, because Cranelift emits no instruction whose result is unused.
+//! cost nothing, because `strips/unused.rs` drops them.
 
 mod access;
 mod arithmetic;

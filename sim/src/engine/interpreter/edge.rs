@@ -231,29 +231,20 @@ fn fill(out: &mut [u64], register: &Register) -> bool {
 mod tests {
     use std::sync::Arc;
 
-    use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate};
+    use tilewright_hdl::{Module, bits, block, def, elaborate};
 
     use super::*;
     use crate::engine::Beginning;
     use crate::engine::program::compile;
 
-    bundle! {
-        pub struct In<T> { pub x: T }
-        pub struct Out<T> { pub y: T }
+    block! {
+        /// A running exclusive or.
+        struct Toggle;
+        in In { x: bits(8) }
+        out Out { y: _ }
     }
 
-    /// A running exclusive or.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Toggle;
-
-    impl Block for Toggle {
-        type In = In;
-        type Out = Out;
-
-        fn inputs(&self) -> In<Width> {
-            In { x: bits(8) }
-        }
-
+    impl Toggle {
         fn build(&self, m: Module, i: In) -> Out {
             def!(y = m.reg(8).reset(0));
             y.next(y ^ i.x);

@@ -92,29 +92,20 @@ fn common(program: &Program) -> FxHashSet<ValueId> {
 #[cfg(test)]
 mod tests {
     use tilewright_circuit::ReadUnderWrite;
-    use tilewright_hdl::{Block, Module, Width, bits, bundle, elaborate};
+    use tilewright_hdl::{Module, bits, block, elaborate};
 
     use super::*;
     use crate::engine::Passes;
     use crate::engine::program::compile;
 
-    bundle! {
-        struct In<T> { address: T, enable: T, word: T }
-        struct Out<T> { c: T, d: T, o: T }
+    block! {
+        /// Two memories with the same ports, and one that is written at another address.
+        struct Memories;
+        in In { address: bits(4), enable: bits(1), word: bits(24) }
+        out Out { c: _, d: _, o: _ }
     }
 
-    /// Two memories with the same ports, and one that is written at another address.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Memories;
-
-    impl Block for Memories {
-        type In = In;
-        type Out = Out;
-
-        fn inputs(&self) -> In<Width> {
-            In { address: bits(4), enable: bits(1), word: bits(24) }
-        }
-
+    impl Memories {
         fn build(&self, m: Module, i: In) -> Out {
             let [colour, depth, other] =
                 ["colour", "depth", "other"].map(|name| m.memory(name, 16, 24, ReadUnderWrite::Old));

@@ -97,31 +97,25 @@ fn is_border(circuit: &Circuit, id: ValueId) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, def, elaborate, stack};
+    use tilewright_hdl::{Block, Module, Width, bit, bits, block, bundle, def, elaborate, stack};
 
     use super::*;
     use crate::engine::Passes;
     use crate::engine::program::{Program, compile};
 
     bundle! {
-        struct WorkerIn<T> { line: T }
-        struct WorkerOut<T> { sum: T }
         struct RowIn<T> { workers: Vec<WorkerIn<T>> }
         struct RowOut<T> { count: T }
     }
 
-    /// Adds up its input, with two assertions about it.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Worker;
+    block! {
+        /// Adds up its input, with two assertions about it.
+        struct Worker;
+        in WorkerIn { line: bits(8) }
+        out WorkerOut { sum: _ }
+    }
 
-    impl Block for Worker {
-        type In = WorkerIn;
-        type Out = WorkerOut;
-
-        fn inputs(&self) -> WorkerIn<Width> {
-            WorkerIn { line: bits(8) }
-        }
-
+    impl Worker {
         fn build(&self, m: Module, i: WorkerIn) -> WorkerOut {
             def!(sum = m.reg(8).reset(0));
             sum.next(sum + i.line);

@@ -3,35 +3,21 @@
 use crate::circuits::engine::of;
 use num_bigint::BigUint;
 use proptest::prelude::*;
-use tilewright_hdl::{Bits, Block, Module, Width, bits, bundle, case, mux, select};
+use tilewright_hdl::{Bits, Module, bits, block, case, mux, select};
 
-bundle! {
-    pub struct Operands<T> { pub a: T, pub b: T, pub by: T }
-    pub struct Results<T> {
-        pub sum: T, pub difference: T, pub product: T, pub product_signed: T, pub product_mixed: T,
-        pub both_set: T, pub any_set: T, pub differ: T, pub inverse: T,
-        pub lt: T, pub le: T, pub gt: T, pub ge: T, pub eq: T, pub ne: T, pub lt_signed: T, pub ge_signed: T,
-        pub left: T, pub right: T, pub right_signed: T,
-        pub slice: T, pub both: T, pub twice: T, pub zext: T, pub sext: T,
-        pub all_ones: T, pub any_one: T, pub parity: T,
-        pub mux: T, pub select: T, pub chosen: T, pub zero_swapped: T
+block! {
+    /// All operators on two operands of `width` bits.
+    struct Operators { width: u32 }
+    in(self) Operands { a: bits(self.width), b: bits(self.width), by: bits(10) }
+    out Results {
+        sum: _, difference: _, product: _, product_signed: _, product_mixed: _, both_set: _, any_set: _, differ: _,
+        inverse: _, lt: _, le: _, gt: _, ge: _, eq: _, ne: _, lt_signed: _, ge_signed: _, left: _, right: _,
+        right_signed: _, slice: _, both: _, twice: _, zext: _, sext: _, all_ones: _, any_one: _, parity: _, mux: _,
+        select: _, chosen: _, zero_swapped: _,
     }
 }
 
-/// All operators on two operands of `width` bits.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Operators {
-    width: u32,
-}
-
-impl Block for Operators {
-    type In = Operands;
-    type Out = Results;
-
-    fn inputs(&self) -> Operands<Width> {
-        Operands { a: bits(self.width), b: bits(self.width), by: bits(10) }
-    }
-
+impl Operators {
     fn build(&self, _: Module, Operands { a, b, by }: Operands) -> Results {
         let w = self.width;
         Results {

@@ -4,30 +4,21 @@
 use crate::circuits::engine::{engine, of};
 use proptest::prelude::*;
 use tilewright_hdl::ir::{Design, Instance, InstanceId, Module as IrModule, Node, NodeId, Op, Reduction, Shape};
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, bundle, constants, elaborate, mux};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bits, block, constants, elaborate, mux};
 use tilewright_sim::Simulation;
 
-bundle! {
-    pub struct CellIn<T> { pub left: T, pub common: T, pub own: T }
-    pub struct CellOut<T> { pub value: T, pub at_once: T }
-}
-
-/// A cell with a memory, a register and a combinational path from its left neighbour.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell {
-    width: u32,
-    /// Whether `at_once` depends on the neighbour within the cycle.
-    chained: bool,
-}
-
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { left: bits(self.width), common: bits(self.width), own: bits(self.width) }
+block! {
+    /// A cell with a memory, a register and a combinational path from its left neighbour.
+    struct Cell {
+        width: u32,
+        /// Whether `at_once` depends on the neighbour within the cycle.
+        chained: bool,
     }
+    in(self) CellIn { left: bits(self.width), common: bits(self.width), own: bits(self.width) }
+    out CellOut { value: _, at_once: _ }
+}
 
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let value = m.reg("value", self.width);
         let store = m.memory("store", 4, self.width, ReadUnderWrite::Any);
@@ -39,27 +30,14 @@ impl Block for Cell {
     }
 }
 
-bundle! {
-    pub struct RowIn<T> { pub common: T, pub entering: T }
-    pub struct RowOut<T> { pub sum: T, pub any: T, pub last: T, pub all: T }
+block! {
+    /// A chain of cells, linked through `value` or, if chained, through `at_once`.
+    struct Row { lanes: u32, width: u32, chained: bool }
+    in(self) = RowIn { common: bits(self.width), entering: bits(self.width) };
+    out RowOut { sum: _, any: _, last: _, all: _ }
 }
 
-/// A chain of cells, linked through `value` or, if chained, through `at_once`.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Row {
-    lanes: u32,
-    width: u32,
-    chained: bool,
-}
-
-impl Block for Row {
-    type In = RowIn;
-    type Out = RowOut;
-
-    fn inputs(&self) -> RowIn<Width> {
-        RowIn { common: bits(self.width), entering: bits(self.width) }
-    }
-
+impl Row {
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cell = Cell { width: self.width, chained: self.chained };
         let out = m.array("u_cell", self.lanes, &cell, |a| CellIn {
@@ -204,24 +182,14 @@ proptest! {
     }
 }
 
-/// Rows in an array: lanes of lanes.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Grid {
-    width: u32,
+block! {
+    /// Rows in an array: lanes of lanes.
+    struct Grid { width: u32 }
+    in(self) RowIn { common: bits(self.width), entering: bits(self.width) }
+    out GridOut { total: _ }
 }
 
-bundle! {
-    pub struct GridOut<T> { pub total: T }
-}
-
-impl Block for Grid {
-    type In = RowIn;
-    type Out = GridOut;
-
-    fn inputs(&self) -> RowIn<Width> {
-        RowIn { common: bits(self.width), entering: bits(self.width) }
-    }
-
+impl Grid {
     fn build(&self, m: Module, i: RowIn) -> GridOut {
         let row = Row { lanes: 3, width: self.width, chained: false };
         let rows = m.array("u_row", 2, &row, |_| RowIn {
@@ -256,25 +224,14 @@ fn arrays_nest() {
     }
 }
 
-/// A chain of adders as deep as it is long.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Deep {
-    depth: u32,
+block! {
+    /// A chain of adders as deep as it is long.
+    struct Deep { depth: u32 }
+    in DeepIn { x: bits(32) }
+    out DeepOut { y: _ }
 }
 
-bundle! {
-    pub struct DeepIn<T> { pub x: T }
-    pub struct DeepOut<T> { pub y: T }
-}
-
-impl Block for Deep {
-    type In = DeepIn;
-    type Out = DeepOut;
-
-    fn inputs(&self) -> DeepIn<Width> {
-        DeepIn { x: bits(32) }
-    }
-
+impl Deep {
     fn build(&self, _: Module, i: DeepIn) -> DeepOut {
         DeepOut { y: (0..self.depth).fold(i.x, |y, _| y + i.x) }
     }

@@ -3,22 +3,15 @@
 use crate::circuits::engine::of;
 use crate::circuits::store::{FAST, SLOW, Store, StoreIn, StoreOut};
 use proptest::prelude::*;
-use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, bits, bundle, lit};
+use tilewright_hdl::{Module, ReadUnderWrite, Signal, bits, block, lit};
 
-/// A count on each of two clocks; each is sampled by the other.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Pair;
-
-bundle! {
-    pub struct PairOut<T> { pub fast: T, pub slow: T, pub fast_seen: T, pub slow_seen: T }
+block! {
+    /// A count on each of two clocks; each is sampled by the other.
+    struct Pair;
+    out PairOut { fast: _, slow: _, fast_seen: _, slow_seen: _ }
 }
 
-impl Block for Pair {
-    type In = ();
-    type Out = PairOut;
-
-    fn inputs(&self) {}
-
+impl Pair {
     fn build(&self, m: Module, _: ()) -> PairOut {
         let count = |name: &str, clock| {
             let count = m.on(clock).reg(name, 8).reset(0);
@@ -47,20 +40,13 @@ fn clocks_that_rise_together_sample_together() {
     assert_eq!(sim.time(), 14_000);
 }
 
-/// A count on the clock that its width names, and one on the module's clock.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct ByWidth;
-
-bundle! {
-    pub struct CountsOut<T> { pub slow: T, pub fast: T }
+block! {
+    /// A count on the clock that its width names, and one on the module's clock.
+    struct ByWidth;
+    out CountsOut { slow: _, fast: _ }
 }
 
-impl Block for ByWidth {
-    type In = ();
-    type Out = CountsOut;
-
-    fn inputs(&self) {}
-
+impl ByWidth {
     fn build(&self, m: Module, _: ()) -> CountsOut {
         let m = m.on(FAST);
         let (slow, fast) = (m.reg("slow_count", bits(8).on(SLOW)).reset(0), m.reg("fast_count", bits(8)).reset(0));
@@ -141,26 +127,19 @@ fn an_edge_evaluates_nothing_that_depends_on_another_clock_alone() {
     }
 }
 
-/// A word that two clocks write repeatedly.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Contested;
+block! {
+    /// A word that two clocks write repeatedly.
+    struct Contested;
+    out ContestedOut { word: _ }
+}
 
-impl Block for Contested {
-    type In = ();
-    type Out = ContestedOut;
-
-    fn inputs(&self) {}
-
+impl Contested {
     fn build(&self, m: Module, (): ()) -> ContestedOut {
         let words = m.on(FAST).memory("words", 4, 8, ReadUnderWrite::Old).true_dual_port();
         words.write(lit(1, 1), 0, 5);
         words.on(SLOW).write(lit(1, 1), 0, 7);
         ContestedOut { word: m.on(FAST).pipe("constant", lit(8, 1)) }
     }
-}
-
-bundle! {
-    pub struct ContestedOut<T> { pub word: T }
 }
 
 #[test]

@@ -2,25 +2,19 @@
 
 use crate::circuits::engine::of;
 use proptest::prelude::*;
-use tilewright_hdl::{Block, Module, Width, below, bits, bundle, lit};
+use tilewright_hdl::{Module, below, bits, block, lit};
 
-bundle! {
-    struct In<T> { a: T, b: T }
-    struct Out<T> { from: T, scaled: T, signed_scaled: T, left: T, right: T, whole: T, middle: T, follows: T, folded: T, low: T, product: T }
+block! {
+    /// One of each.
+    struct Shorthand;
+    in In { a: bits(8), b: bits(8) }
+    out Out {
+        from: _, scaled: _, signed_scaled: _, left: _, right: _, whole: _, middle: _, follows: _, folded: _, low: _,
+        product: _,
+    }
 }
 
-/// One of each.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Shorthand;
-
-impl Block for Shorthand {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { a: bits(8), b: bits(8) }
-    }
-
+impl Shorthand {
     fn build(&self, _: Module, i: In) -> Out {
         let mut folded = lit(8, 1);
         folded += i.a;

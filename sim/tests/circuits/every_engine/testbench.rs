@@ -1,28 +1,16 @@
 //! The testbench interface: setting, reading, stepping, peeking, and every error.
 
 use crate::circuits::engine::of;
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, def, mux, when};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, block, bundle, codes, def, mux, when};
 use tilewright_sim::{EngineKind, Error, Simulation};
 
-bundle! {
-    pub struct CounterIn<T> { pub enable: T }
-    pub struct CounterOut<T> { pub count: T, pub wrapped: T }
+block! {
+    struct Counter { width: u32, limit: u64 }
+    in CounterIn { enable: bit() }
+    out CounterOut { count: _, wrapped: _ }
 }
 
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Counter {
-    width: u32,
-    limit: u64,
-}
-
-impl Block for Counter {
-    type In = CounterIn;
-    type Out = CounterOut;
-
-    fn inputs(&self) -> CounterIn<Width> {
-        CounterIn { enable: bit() }
-    }
-
+impl Counter {
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
         let count = m.reg("count", self.width).reset(0);
         def!(at_end = count.eq(self.limit - 1));

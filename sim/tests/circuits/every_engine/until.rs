@@ -1,26 +1,17 @@
 //! Runs that end when a condition is true.
 
 use crate::circuits::engine::of;
-use tilewright_hdl::{Block, Clock, Module, Period, Width, bit, bits, bundle};
+use tilewright_hdl::{Clock, Module, Period, bit, bits, block};
 use tilewright_sim::{Error, Simulation, Vcd};
 
-bundle! {
-    pub struct In<T> { pub step: T, pub limit: T }
-    pub struct Out<T> { pub count: T, pub wide: T, pub reached: T, pub flag: T }
+block! {
+    /// Counts in steps; an output depends on the count and an input.
+    struct Counter;
+    in In { step: bits(4), limit: bits(32) }
+    out Out { count: _, wide: _, reached: _, flag: _ }
 }
 
-/// Counts in steps; an output depends on the count and an input.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Counter;
-
-impl Block for Counter {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { step: bits(4), limit: bits(32) }
-    }
-
+impl Counter {
     fn build(&self, m: Module, i: In) -> Out {
         let count = m.reg("count", 32).reset(0);
         count.next(count + i.step.zext(32));
@@ -159,23 +150,14 @@ fn a_condition_is_one_that_its_port_can_meet() {
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
 
-bundle! {
-    pub struct TicksIn<T> { pub enable: T }
-    pub struct TicksOut<T> { pub fast: T, pub slow: T }
+block! {
+    /// Counters of two clocks.
+    struct Ticks;
+    in TicksIn { enable: bit().on(FAST) }
+    out TicksOut { fast: _, slow: _ }
 }
 
-/// Counters of two clocks.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Ticks;
-
-impl Block for Ticks {
-    type In = TicksIn;
-    type Out = TicksOut;
-
-    fn inputs(&self) -> TicksIn<Width> {
-        TicksIn { enable: bit().on(FAST) }
-    }
-
+impl Ticks {
     fn build(&self, m: Module, i: TicksIn) -> TicksOut {
         let (fast, slow) = (m.on(FAST).reg("ticks", 8).reset(0), m.on(SLOW).reg("tocks", 8).reset(0));
         fast.enable(i.enable).next(fast + 1);

@@ -2,25 +2,16 @@
 
 use crate::circuits::engine::of;
 use proptest::prelude::*;
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle};
+use tilewright_hdl::{Module, bit, bits, block};
 
-bundle! {
-    struct In<T> { first: T, second: T, third: T, enable: T, value: T }
-    struct Out<T> { holds: T, ends: T, enabled: T }
+block! {
+    /// A register that keeps its value, one with `otherwise`, and one with an enable.
+    struct Registers;
+    in In { first: bit(), second: bit(), third: bit(), enable: bit(), value: bits(8) }
+    out Out { holds: _, ends: _, enabled: _ }
 }
 
-/// A register that keeps its value, one with `otherwise`, and one with an enable.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Registers;
-
-impl Block for Registers {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { first: bit(), second: bit(), third: bit(), enable: bit(), value: bits(8) }
-    }
-
+impl Registers {
     fn build(&self, m: Module, i: In) -> Out {
         let [holds, ends, enabled] = ["holds", "ends", "enabled"].map(|name| m.reg(name, 8).reset(3));
         holds.when(i.first, 0).when(i.second, i.value).when(i.third, holds + 1);

@@ -4,31 +4,20 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::circuits::engine::{engine, of};
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, codes, stack, when};
+use tilewright_hdl::{Module, bit, bits, block, codes, stack, when};
 use tilewright_sim::{Error, Trace, Vcd};
-
-bundle! {
-    pub struct LampIn<T> { pub toggle: T }
-    pub struct LampOut<T> { pub lit: T }
-    pub struct LampsIn<T> { pub toggle: T }
-    pub struct LampsOut<T> { pub all: T, pub count: T }
-}
 
 codes! {
     enum Lamp { Off, On }
 }
 
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct OneLamp;
+block! {
+    struct OneLamp;
+    in LampIn { toggle: bit() }
+    out LampOut { lit: _ }
+}
 
-impl Block for OneLamp {
-    type In = LampIn;
-    type Out = LampOut;
-
-    fn inputs(&self) -> LampIn<Width> {
-        LampIn { toggle: bit() }
-    }
-
+impl OneLamp {
     fn build(&self, m: Module, i: LampIn) -> LampOut {
         let lamp = m.fsm("lamp", Lamp::Off);
         lamp.next(|now| match now {
@@ -39,18 +28,14 @@ impl Block for OneLamp {
     }
 }
 
-/// Two lamps and a count of edges, which must stay below 3.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Lamps;
+block! {
+    /// Two lamps and a count of edges, which must stay below 3.
+    struct Lamps;
+    in LampsIn { toggle: bits(2) }
+    out LampsOut { all: _, count: _ }
+}
 
-impl Block for Lamps {
-    type In = LampsIn;
-    type Out = LampsOut;
-
-    fn inputs(&self) -> LampsIn<Width> {
-        LampsIn { toggle: bits(2) }
-    }
-
+impl Lamps {
     fn build(&self, m: Module, i: LampsIn) -> LampsOut {
         let count = m.reg("count", 4).reset(0);
         count.next(count + 1);

@@ -7,9 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::circuits::engine::{engine, of};
 use proptest::prelude::*;
-use tilewright_hdl::{
-    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, codes, hold, mux, stack, when,
-};
+use tilewright_hdl::{Bits, Clock, Module, Period, ReadUnderWrite, bit, bits, block, codes, hold, mux, stack, when};
 use tilewright_sim::{Error, Simulation, Vcd};
 use vcd::{Command, IdCode, Parser, ScopeItem};
 
@@ -20,25 +18,14 @@ codes! {
     enum Door { Shut, Ajar, Open }
 }
 
-bundle! {
-    pub struct CellIn<T> { pub push: T, pub seed: T }
-    pub struct CellOut<T> { pub total: T, pub open: T }
-    pub struct HouseIn<T> { pub push: T, pub seed: T, pub shelf: T, pub fail: T }
-    pub struct HouseOut<T> { pub widest: T, pub open: T, pub word: T, pub slow_count: T }
+block! {
+    /// A door, and a wide sum that grows while it is open.
+    struct Cell;
+    in CellIn { push: bit().on(FAST), seed: bits(70).on(FAST) }
+    out CellOut { total: _, open: _ }
 }
 
-/// A door, and a wide sum that grows while it is open.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell;
-
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { push: bit().on(FAST), seed: bits(70).on(FAST) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let m = m.on(FAST);
         let door = m.fsm("door", Door::Shut);
@@ -54,18 +41,14 @@ impl Block for Cell {
     }
 }
 
-/// Five of them on a fast clock; on a slow clock, a shelf that is read asynchronously, and a count that stops.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct House;
+block! {
+    /// Five of them on a fast clock; on a slow clock, a shelf that is read asynchronously, and a count that stops.
+    struct House;
+    in HouseIn { push: bits(5).on(FAST), seed: bits(70).on(FAST), shelf: bits(2).on(SLOW), fail: bit().on(FAST) }
+    out HouseOut { widest: _, open: _, word: _, slow_count: _ }
+}
 
-impl Block for House {
-    type In = HouseIn;
-    type Out = HouseOut;
-
-    fn inputs(&self) -> HouseIn<Width> {
-        HouseIn { push: bits(5).on(FAST), seed: bits(70).on(FAST), shelf: bits(2).on(SLOW), fail: bit().on(FAST) }
-    }
-
+impl House {
     fn build(&self, m: Module, i: HouseIn) -> HouseOut {
         m.on(FAST).assert(!i.fail, "all is well");
         let cells = m.array("u_cell", 5, &Cell, |_| CellIn {

@@ -6,25 +6,14 @@ use crate::verilog::fold::fold;
 use tilewright_circuit::ir::{Binary, Relation, Unary};
 use tilewright_hdl::*;
 
-bundle! {
-    struct In<T> { a: T, b: T }
-    struct Out<T> { y: T, z: T }
+block! {
+    /// Two registers of 4 bits with random logic.
+    struct Walk { seed: u64 }
+    in In { a: bits(1), b: bits(4) }
+    out Out { y: _, z: _ }
 }
 
-/// Two registers of 4 bits with random logic.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Walk {
-    seed: u64,
-}
-
-impl Block for Walk {
-    type In = In;
-    type Out = Out;
-
-    fn inputs(&self) -> In<Width> {
-        In { a: bits(1), b: bits(4) }
-    }
-
+impl Walk {
     fn build(&self, m: tilewright_hdl::Module, i: In) -> Out {
         let mut state = self.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
         let mut below = |count: u64| {

@@ -65,29 +65,20 @@ fn check_order(program: &Program) {
 #[cfg(test)]
 mod tests {
     use tilewright_circuit::ReadUnderWrite;
-    use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, def, elaborate};
+    use tilewright_hdl::{Module, bit, bits, block, def, elaborate};
 
     use super::*;
     use crate::engine::Passes;
     use crate::engine::program::compile;
 
-    bundle! {
-        struct CellIn<T> { x: T, word: T }
-        struct CellOut<T> { y: T }
+    block! {
+        /// A memory.
+        struct Cell;
+        in CellIn { x: bits(4), word: bits(64) }
+        out CellOut { y: _ }
     }
 
-    /// A memory.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Cell;
-
-    impl Block for Cell {
-        type In = CellIn;
-        type Out = CellOut;
-
-        fn inputs(&self) -> CellIn<Width> {
-            CellIn { x: bits(4), word: bits(64) }
-        }
-
+    impl Cell {
         fn build(&self, m: Module, i: CellIn) -> CellOut {
             def!(words = m.memory(9, 64, ReadUnderWrite::Old));
             words.write(i.x.bit(0), i.x, i.word);
@@ -95,23 +86,14 @@ mod tests {
         }
     }
 
-    bundle! {
-        struct TopIn<T> { pick: T, x: T, word: T }
-        struct TopOut<T> { y: T }
+    block! {
+        /// Memories in lanes.
+        struct Top;
+        in TopIn { pick: bit(), x: bits(4), word: bits(64) }
+        out TopOut { y: _ }
     }
 
-    /// Memories in lanes.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Top;
-
-    impl Block for Top {
-        type In = TopIn;
-        type Out = TopOut;
-
-        fn inputs(&self) -> TopIn<Width> {
-            TopIn { pick: bit(), x: bits(4), word: bits(64) }
-        }
-
+    impl Top {
         fn build(&self, m: Module, i: TopIn) -> TopOut {
             let cells = m.array("u_cell", 3, &Cell, |_| CellIn { x: i.x, word: i.word });
             TopOut { y: tilewright_hdl::mux(i.pick, cells.y.last(), i.word) }
