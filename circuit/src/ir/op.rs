@@ -337,6 +337,53 @@ pub enum Op {
     },
 }
 
+/// Calls `$visit` with a reference to every operand, mutable or not as `$iter` is.
+macro_rules! each_operand {
+    ($op:expr, $iter:ident, $visit:ident) => {
+        match $op {
+            Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) | Op::Output(..) => {}
+            Op::Unary(_, a)
+            | Op::Slice { of: a, .. }
+            | Op::Repeat(a, _)
+            | Op::Extend { of: a, .. }
+            | Op::Wire(a)
+            | Op::QuasiStatic(a, _)
+            | Op::Broadcast { of: a, .. }
+            | Op::Lane { of: a, .. }
+            | Op::Reduce { of: a, .. }
+            | Op::Pack { of: a, .. }
+            | Op::Unpack { of: a, .. } => $visit(a),
+            Op::Binary(_, a, b)
+            | Op::Compare { operands: [a, b], .. }
+            | Op::Shift(_, a, b)
+            | Op::Pick { of: a, index: b, .. } => {
+                $visit(a);
+                $visit(b);
+            }
+            Op::Map { of, edge, .. } => {
+                $visit(of);
+                edge.$iter().for_each($visit);
+            }
+            Op::Mux { select, on_true, on_false } => [select, on_true, on_false].into_iter().for_each($visit),
+            Op::Select { arms, default } => {
+                arms.$iter().for_each(|(condition, value)| {
+                    $visit(condition);
+                    $visit(value);
+                });
+                $visit(default);
+            }
+            Op::Case { subject, arms, default } => {
+                $visit(subject);
+                arms.$iter().for_each(|(_, value)| $visit(value));
+                $visit(default);
+            }
+            Op::Concat(parts) | Op::Stack { parts, .. } | Op::Interleave { parts, .. } => {
+                parts.$iter().for_each($visit)
+            }
+        }
+    };
+}
+
 impl Op {
     /// Whether the node is its operands, a constant or the state of a register, without logic except for an
     /// inversion.
@@ -378,43 +425,21 @@ impl Op {
     /// Op::Register(ir::RegisterId(0)).for_each_operand(|_| unreachable!("no operand"));
     /// ```
     pub fn for_each_operand(&self, mut visit: impl FnMut(NodeId)) {
-        match self {
-            Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) | Op::Output(..) => {}
-            Op::Unary(_, a)
-            | Op::Slice { of: a, .. }
-            | Op::Repeat(a, _)
-            | Op::Extend { of: a, .. }
-            | Op::Wire(a)
-            | Op::QuasiStatic(a, _)
-            | Op::Broadcast { of: a, .. }
-            | Op::Lane { of: a, .. }
-            | Op::Reduce { of: a, .. }
-            | Op::Pack { of: a, .. }
-            | Op::Unpack { of: a, .. } => visit(*a),
-            Op::Binary(_, a, b)
-            | Op::Compare { operands: [a, b], .. }
-            | Op::Shift(_, a, b)
-            | Op::Pick { of: a, index: b, .. } => {
-                visit(*a);
-                visit(*b);
-            }
-            Op::Map { of, edge, .. } => {
-                visit(*of);
-                edge.iter().for_each(|n| visit(*n));
-            }
-            Op::Mux { select, on_true, on_false } => [select, on_true, on_false].into_iter().for_each(|n| visit(*n)),
-            Op::Select { arms, default } => {
-                arms.iter().flat_map(|(c, v)| [*c, *v]).for_each(&mut visit);
-                visit(*default);
-            }
-            Op::Case { subject, arms, default } => {
-                visit(*subject);
-                arms.iter().for_each(|(_, v)| visit(*v));
-                visit(*default);
-            }
-            Op::Concat(parts) | Op::Stack { parts, .. } | Op::Interleave { parts, .. } => {
-                parts.iter().for_each(|n| visit(*n))
-            }
-        }
+        let mut visit = |operand: &NodeId| visit(*operand);
+        each_operand!(self, iter, visit);
+    }
+
+    /// Calls `visit` with the operands of [`for_each_operand`](Op::for_each_operand), which it may replace.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_hdl::ir::{NodeId, Op};
+    ///
+    /// let mut op = Op::Concat(vec![NodeId(1), NodeId(2)]);
+    /// op.for_each_operand_mut(|node| node.0 += 10);
+    /// assert_eq!(op, Op::Concat(vec![NodeId(11), NodeId(12)]));
+    /// ```
+    pub fn for_each_operand_mut<'a>(&'a mut self, mut visit: impl FnMut(&'a mut NodeId)) {
+        each_operand!(self, iter_mut, visit);
     }
 }

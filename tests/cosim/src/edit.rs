@@ -59,31 +59,9 @@ fn replace(module: &mut Module, numbers: &mut Numbers, of: impl Fn(&mut Module) 
 
 /// The nodes that an operation names.
 pub(crate) fn operands(op: &mut Op) -> Vec<&mut NodeId> {
-    match op {
-        Op::Input(_) | Op::Const(_) | Op::Register(_) | Op::Read(..) | Op::Output(..) => Vec::new(),
-        Op::Unary(_, a)
-        | Op::Slice { of: a, .. }
-        | Op::Repeat(a, _)
-        | Op::Extend { of: a, .. }
-        | Op::Wire(a)
-        | Op::QuasiStatic(a, _)
-        | Op::Broadcast { of: a, .. }
-        | Op::Lane { of: a, .. }
-        | Op::Reduce { of: a, .. }
-        | Op::Pack { of: a, .. }
-        | Op::Unpack { of: a, .. } => vec![a],
-        Op::Binary(_, a, b)
-        | Op::Compare { operands: [a, b], .. }
-        | Op::Shift(_, a, b)
-        | Op::Pick { of: a, index: b, .. } => vec![a, b],
-        Op::Map { of, edge, .. } => [of].into_iter().chain(edge).collect(),
-        Op::Mux { select, on_true, on_false } => vec![select, on_true, on_false],
-        Op::Select { arms, default } => arms.iter_mut().flat_map(|(c, v)| [c, v]).chain([default]).collect(),
-        Op::Case { subject, arms, default } => {
-            [subject].into_iter().chain(arms.iter_mut().map(|(_, value)| value)).chain([default]).collect()
-        }
-        Op::Concat(parts) | Op::Stack { parts, .. } | Op::Interleave { parts, .. } => parts.iter_mut().collect(),
-    }
+    let mut all = Vec::new();
+    op.for_each_operand_mut(|operand| all.push(operand));
+    all
 }
 
 /// An operation takes another operand.
