@@ -337,7 +337,7 @@ pub enum Op {
     },
 }
 
-/// Calls `$visit` with a reference to every operand, mutable or not as `$iter` is.
+// Calls `$visit` with a reference to every operand, mutable or not as `$iter` is.
 macro_rules! each_operand {
     ($op:expr, $iter:ident, $visit:ident) => {
         match $op {
