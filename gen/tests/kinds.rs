@@ -318,20 +318,14 @@ fn memories_become_block_ram() {
     }
 }
 
-/// An array of registers in a chain.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Wide {
-    lanes: u32,
+block! {
+    /// An array of registers in a chain.
+    struct Wide { lanes: u32 }
+    in = Pair { a: bits(8), b: bits(16) };
+    out = One { y: bits(8) };
 }
 
-impl Block for Wide {
-    type In = Pair;
-    type Out = One;
-
-    fn inputs(&self) -> Pair<Width> {
-        Pair { a: bits(8), b: bits(16) }
-    }
-
+impl Wide {
     fn build(&self, m: Module, i: Pair) -> One {
         let cell = Cell;
         let cells = m.array("u_cell", self.lanes, &cell, |row| Pair {
@@ -342,17 +336,13 @@ impl Block for Wide {
     }
 }
 
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell;
+block! {
+    struct Cell;
+    in = Pair { a: bits(8), b: bits(16) };
+    out = One { y: bits(8) };
+}
 
-impl Block for Cell {
-    type In = Pair;
-    type Out = One;
-
-    fn inputs(&self) -> Pair<Width> {
-        Pair { a: bits(8), b: bits(16) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: Pair) -> One {
         One { y: m.pipe("y", i.a ^ i.b.trunc(8) ^ i.b.slice(8..16)) }
     }

@@ -8,40 +8,30 @@ use tilewright_hdl::*;
 bundle! {
     struct CellIn<T> { x: T }
     struct CellOut<T> { y: T, done: T }
-    struct RowIn<T> { x: Vec<T> }
-    struct RowOut<T> { y: T, last: T }
 }
 
-/// Adds one.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell;
+block! {
+    /// Adds one.
+    struct Cell;
+    in = CellIn { x: bits(8) };
+    out = CellOut { y: bits(8), done: bit() };
+}
 
-impl Block for Cell {
-    type In = CellIn;
-    type Out = CellOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(8) }
-    }
-
+impl Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let y = m.pipe("sum", i.x + 1);
         CellOut { y, done: y.eq(9) }
     }
 }
 
-/// What a parent feeds its cells.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Row;
+block! {
+    /// What a parent feeds its cells.
+    struct Row;
+    in RowIn { x: [bits(8); 4] }
+    out RowOut { y: _, last: _ }
+}
 
-impl Block for Row {
-    type In = RowIn;
-    type Out = RowOut;
-
-    fn inputs(&self) -> RowIn<Width> {
-        RowIn { x: vec![bits(8); 4] }
-    }
-
+impl Row {
     fn build(&self, m: Module, i: RowIn) -> RowOut {
         let cells = m.array("u_cell", 4, &Cell, |_| CellIn { x: stack(i.x) });
         RowOut { y: cells.y.sum(), last: cells.done.or_all() }
@@ -85,36 +75,28 @@ bundle! {
     struct LaneOfOut<T> { y: T }
 }
 
-/// A row of cells that hold a memory called as a lane may be, in a module that has a port called as lanes are.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Remembering;
+block! {
+    /// A row of cells that hold a memory called as a lane may be, in a module that has a port called as lanes are.
+    struct Remembering;
+    in = LaneOfIn { lane: bits(8) };
+    out = LaneOfOut { y: bits(8) };
+}
 
-impl Block for Remembering {
-    type In = LaneOfIn;
-    type Out = LaneOfOut;
-
-    fn inputs(&self) -> LaneOfIn<Width> {
-        LaneOfIn { lane: bits(8) }
-    }
-
+impl Remembering {
     fn build(&self, m: Module, i: LaneOfIn) -> LaneOfOut {
         let cells = m.array("u_cell", 3, &Remembered, |row| CellIn { x: row.y.previous(i.lane) });
         LaneOfOut { y: cells.y.sum() }
     }
 }
 
-/// A word, a clock later.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Remembered;
+block! {
+    /// A word, a clock later.
+    struct Remembered;
+    in = CellIn { x: bits(8) };
+    out = LaneOfOut { y: bits(8) };
+}
 
-impl Block for Remembered {
-    type In = CellIn;
-    type Out = LaneOfOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(8) }
-    }
-
+impl Remembered {
     fn build(&self, m: Module, i: CellIn) -> LaneOfOut {
         let words = m.memory("u_lane", 4, 8, ReadUnderWrite::Old);
         words.write(i.x.bit(0), i.x.trunc(2), i.x);
@@ -151,38 +133,18 @@ fn arrays_may_be_called_as_things_of_arrays_are() {
     clean(&Arrays);
 }
 
-bundle! {
-    struct BenchIn<T> {
-        cycle: T, tb_cycle: T, dut: T, errors: T, want_y: T, lane0: T, run: T, fill: T, start_u_cell: T, gap: T, names_tb: T
+block! {
+    /// Its ports are called as things of a testbench are; in it are lanes and a memory that the bench sets.
+    struct BenchNames;
+    name = "names";
+    in BenchIn {
+        cycle: bit(), tb_cycle: bit(), dut: bit(), errors: bit(), want_y: bit(), lane0: bit(), run: bit(), fill: bit(),
+        start_u_cell: bit(), gap: bit(), names_tb: bit(),
     }
-    struct BenchOut<T> { y: T, stimulus: T, tb_want_y: T, expected: T, address: T, fill_words: T }
+    out BenchOut { y: _, stimulus: _, tb_want_y: _, expected: _, address: _, fill_words: _ }
 }
 
-/// Its ports are called as things of a testbench are; in it are lanes and a memory that the bench sets.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct BenchNames;
-
-impl Block for BenchNames {
-    type In = BenchIn;
-    type Out = BenchOut;
-
-    fn inputs(&self) -> BenchIn<Width> {
-        let bit = bits(1);
-        BenchIn {
-            cycle: bit,
-            tb_cycle: bit,
-            dut: bit,
-            errors: bit,
-            want_y: bit,
-            lane0: bit,
-            run: bit,
-            fill: bit,
-            start_u_cell: bit,
-            gap: bit,
-            names_tb: bit,
-        }
-    }
-
+impl BenchNames {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let cells = m.array("u_cell", 2, &Cell, |_| CellIn { x: i.cycle.zext(8) });
         let words = m.memory("words", 2, 8, ReadUnderWrite::Old);
@@ -196,10 +158,6 @@ impl Block for BenchNames {
             address: i.names_tb,
             fill_words: cells.done.or_all(),
         }
-    }
-
-    fn name(&self) -> String {
-        "names".to_string()
     }
 }
 
@@ -229,35 +187,27 @@ bundle! {
     struct SumOut<T> { sum: T, lane: T }
 }
 
-/// Its output is called as its module is, another as an instance in an array.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Sum;
+block! {
+    /// Its output is called as its module is, another as an instance in an array.
+    struct Sum;
+    in = SumIn { a: bits(8), b: bits(8) };
+    out = SumOut { sum: bits(8), lane: bits(8) };
+}
 
-impl Block for Sum {
-    type In = SumIn;
-    type Out = SumOut;
-
-    fn inputs(&self) -> SumIn<Width> {
-        SumIn { a: bits(8), b: bits(8) }
-    }
-
+impl Sum {
     fn build(&self, _: Module, i: SumIn) -> SumOut {
         SumOut { sum: i.a + i.b, lane: i.a ^ i.b }
     }
 }
 
-/// An array of sums.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Sums;
+block! {
+    /// An array of sums.
+    struct Sums;
+    in = SumIn { a: bits(8), b: bits(8) };
+    out = SumOut { sum: bits(8), lane: bits(8) };
+}
 
-impl Block for Sums {
-    type In = SumIn;
-    type Out = SumOut;
-
-    fn inputs(&self) -> SumIn<Width> {
-        Sum.inputs()
-    }
-
+impl Sums {
     fn build(&self, m: Module, i: SumIn) -> SumOut {
         let all = m.array("u_sum", 3, &Sum, |row| SumIn { a: row.sum.previous(i.a), b: row.lane.previous(i.b) });
         SumOut { sum: all.sum.last(), lane: all.lane.last() }
@@ -342,36 +292,28 @@ impl Shown {
     }
 }
 
-/// Has a port that is called as a lane is, and lanes with a net that is called as one may be.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Held;
+block! {
+    /// Has a port that is called as a lane is, and lanes with a net that is called as one may be.
+    struct Held;
+    in = CellIn { x: bits(8) };
+    out = HeldOut { y: bits(8), lane: bits(8) };
+}
 
-impl Block for Held {
-    type In = CellIn;
-    type Out = HeldOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(8) }
-    }
-
+impl Held {
     fn build(&self, m: Module, i: CellIn) -> HeldOut {
         let shown = m.array("u_shown", 2, &Shown, |row| CellIn { x: row.u_lane.previous(i.x) });
         HeldOut { y: shown.u_lane.last(), lane: shown.u_lane.sum() }
     }
 }
 
-/// An array of arrays.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Holding;
+block! {
+    /// An array of arrays.
+    struct Holding;
+    in = CellIn { x: bits(8) };
+    out = HeldOut { y: bits(8), lane: bits(8) };
+}
 
-impl Block for Holding {
-    type In = CellIn;
-    type Out = HeldOut;
-
-    fn inputs(&self) -> CellIn<Width> {
-        CellIn { x: bits(8) }
-    }
-
+impl Holding {
     fn build(&self, m: Module, i: CellIn) -> HeldOut {
         let held = m.array("u_held", 3, &Held, |row| CellIn { x: row.y.previous(i.x) });
         HeldOut { y: held.y.last(), lane: held.lane.sum() }

@@ -167,23 +167,16 @@ impl Clocks {
     }
 }
 
-bundle! {
-    pub struct UpdatesIn<T> { pub clear: T, pub load: T, pub step: T, pub value: T }
-    pub struct UpdatesOut<T> { pub count: T, pub loads: T, pub last: T, pub moved: T }
+block! {
+    /// Registers that say what they take when: alone and together, with and without reset, and one with an enable and a
+    /// last word.
+    pub struct Updates;
+    name = "priorities";
+    in UpdatesIn { clear: bit(), load: bit(), step: bit(), value: bits(8) }
+    out UpdatesOut { count: _, loads: _, last: _, moved: _ }
 }
 
-/// Registers that say what they take when: alone and together, with and without reset, and one with an enable and a last word.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Updates;
-
-impl Block for Updates {
-    type In = UpdatesIn;
-    type Out = UpdatesOut;
-
-    fn inputs(&self) -> UpdatesIn<Width> {
-        UpdatesIn { clear: bit(), load: bit(), step: bit(), value: bits(8) }
-    }
-
+impl Updates {
     fn build(&self, m: Module, i: UpdatesIn) -> UpdatesOut {
         let [count, loads] = ["count", "loads"].map(|name| m.reg(name, 8).reset(0));
         count.when(i.clear, 0).when(i.load, i.value).when(i.step, count + 1);
@@ -193,10 +186,6 @@ impl Block for Updates {
         let moved = m.reg("moved", 2).enable(!i.clear);
         moved.when(i.load, 2).when(i.step, 1).otherwise(0);
         UpdatesOut { count: *count, loads: *loads, last: *last, moved: *moved }
-    }
-
-    fn name(&self) -> String {
-        "priorities".to_owned()
     }
 }
 

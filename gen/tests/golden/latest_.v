@@ -3,7 +3,7 @@
 // A single register by priority, after a reset.
 //
 // Parameters  Latest
-// Described   gen/tests/blocks/mod.rs:203
+// Described   gen/tests/blocks/mod.rs:192
 `default_nettype none
 
 module latest_ (

@@ -4,7 +4,7 @@
 //
 // Parameters  Mirror
 // Latency     0 clocks
-// Described   gen/tests/blocks/mod.rs:234
+// Described   gen/tests/blocks/mod.rs:223
 `default_nettype none
 
 module mirror (
@@ -27,10 +27,10 @@ module mirror (
     output wire       seen           // Some are seen.
 );
 
-    assign places_0_left = axis_x ? ~places_0_x : places_0_x;    // gen/tests/blocks/mod.rs:255
-    assign places_0_top = axis_y ? ~places_0_y : places_0_y;     // gen/tests/blocks/mod.rs:255
-    assign places_1_left = axis_x ? ~places_1_x : places_1_x;    // gen/tests/blocks/mod.rs:255
-    assign places_1_top = axis_y ? ~places_1_y : places_1_y;     // gen/tests/blocks/mod.rs:255
-    assign seen = valid_0 | valid_1;                             // gen/tests/blocks/mod.rs:258
+    assign places_0_left = axis_x ? ~places_0_x : places_0_x;    // gen/tests/blocks/mod.rs:244
+    assign places_0_top = axis_y ? ~places_0_y : places_0_y;     // gen/tests/blocks/mod.rs:244
+    assign places_1_left = axis_x ? ~places_1_x : places_1_x;    // gen/tests/blocks/mod.rs:244
+    assign places_1_top = axis_y ? ~places_1_y : places_1_y;     // gen/tests/blocks/mod.rs:244
+    assign seen = valid_0 | valid_1;                             // gen/tests/blocks/mod.rs:247
 endmodule
 `default_nettype wire

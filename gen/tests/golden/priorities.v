@@ -1,7 +1,10 @@
 // priorities
 //
+// Registers that say what they take when: alone and together, with and without reset, and
+// one with an enable and a last word.
+//
 // Parameters  Updates
-// Described   gen/tests/blocks/mod.rs:188
+// Described   gen/tests/blocks/mod.rs:170
 `default_nettype none
 
 module priorities (

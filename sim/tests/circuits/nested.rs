@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tilewright_hdl::{Block, Module, Width, bits, block, bundle, cat, constants, stack};
+use tilewright_hdl::{Block, Module, bits, block, bundle, cat, constants, stack};
 use tilewright_sim::{EngineKind, Simulation};
 
 /// Runs a block without inputs on both engines. Its output must change, or there would be little to compare.
@@ -39,18 +39,14 @@ impl Adder {
     }
 }
 
-/// Uses the sum of its adders, which depends on its own value.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct AdderRow;
+block! {
+    /// Uses the sum of its adders, which depends on its own value.
+    struct AdderRow;
+    in = SeedIn { seed: bits(32) };
+    out = SumOut { sum: bits(32) };
+}
 
-impl Block for AdderRow {
-    type In = SeedIn;
-    type Out = SumOut;
-
-    fn inputs(&self) -> SeedIn<Width> {
-        SeedIn { seed: bits(32) }
-    }
-
+impl AdderRow {
     fn build(&self, m: Module, i: SeedIn) -> SumOut {
         let held = m.reg("held", 32).reset(1);
         let sum = m.wire("sum", 32);
@@ -89,69 +85,54 @@ bundle! {
     pub struct LeafOut<T> { pub y: T }
 }
 
-/// Stores its input.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Leaf;
+block! {
+    /// Stores its input.
+    struct Leaf;
+    in = LeafIn { x: bits(8) };
+    out = LeafOut { y: bits(8) };
+}
 
-impl Block for Leaf {
-    type In = LeafIn;
-    type Out = LeafOut;
-
-    fn inputs(&self) -> LeafIn<Width> {
-        LeafIn { x: bits(8) }
-    }
-
+impl Leaf {
     fn build(&self, m: Module, i: LeafIn) -> LeafOut {
         LeafOut { y: m.pipe("held", i.x) }
     }
 }
 
-/// Two leaves, fed its input and half of it.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Pair;
+block! {
+    /// Two leaves, fed its input and half of it.
+    struct Pair;
+    in = LeafIn { x: bits(8) };
+    out = LeafOut { y: bits(8) };
+}
 
-impl Block for Pair {
-    type In = LeafIn;
-    type Out = LeafOut;
-
-    fn inputs(&self) -> LeafIn<Width> {
-        LeafIn { x: bits(8) }
-    }
-
+impl Pair {
     fn build(&self, m: Module, i: LeafIn) -> LeafOut {
         let leaves = m.array("u_leaf", 2, &Leaf, |_| LeafIn { x: stack([i.x, i.x >> 1]) });
         LeafOut { y: leaves.y.sum() }
     }
 }
 
-/// Pairs that are fed values of a counter, the same in every group.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Group;
+block! {
+    /// Pairs that are fed values of a counter, the same in every group.
+    struct Group;
+    in = GroupIn { even: bits(8), odd: bits(8) };
+    out = SumOut { sum: bits(8) };
+}
 
-impl Block for Group {
-    type In = GroupIn;
-    type Out = SumOut;
-
-    fn inputs(&self) -> GroupIn<Width> {
-        GroupIn { even: bits(8), odd: bits(8) }
-    }
-
+impl Group {
     fn build(&self, m: Module, i: GroupIn) -> SumOut {
         let pairs = m.array("u_pair", 4, &Pair, |_| LeafIn { x: stack([i.even, i.odd, i.even + 1, i.even ^ i.odd]) });
         SumOut { sum: pairs.y.sum() }
     }
 }
 
-/// Groups that are all fed the same.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Groups;
+block! {
+    /// Groups that are all fed the same.
+    struct Groups;
+    out = SumOut { sum: bits(8) };
+}
 
-impl Block for Groups {
-    type In = ();
-    type Out = SumOut;
-
-    fn inputs(&self) {}
-
+impl Groups {
     fn build(&self, m: Module, (): ()) -> SumOut {
         let count = m.reg("count", 8).reset(0);
         count.next(*count + 3);
@@ -165,18 +146,14 @@ fn a_row_that_all_groups_share_is_made_into_an_array_of_more_lanes() {
     agree(&Groups);
 }
 
-/// A value of 1024 bits, computed from a few equally wide ones.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Wide;
+block! {
+    /// A value of 1024 bits, computed from a few equally wide ones.
+    struct Wide;
+    in = LeafIn { x: bits(8) };
+    out = LeafOut { y: bits(1024) };
+}
 
-impl Block for Wide {
-    type In = LeafIn;
-    type Out = LeafOut;
-
-    fn inputs(&self) -> LeafIn<Width> {
-        LeafIn { x: bits(8) }
-    }
-
+impl Wide {
     fn build(&self, m: Module, i: LeafIn) -> LeafOut {
         let mut value = m.pipe("first", i.x);
         for stage in 0..12 {
@@ -186,18 +163,14 @@ impl Block for Wide {
     }
 }
 
-/// Two of them, combined.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct WideRow;
+block! {
+    /// Two of them, combined.
+    struct WideRow;
+    in = SeedIn { seed: bits(32) };
+    out = SumOut { sum: bits(1024) };
+}
 
-impl Block for WideRow {
-    type In = SeedIn;
-    type Out = SumOut;
-
-    fn inputs(&self) -> SeedIn<Width> {
-        SeedIn { seed: bits(32) }
-    }
-
+impl WideRow {
     fn build(&self, m: Module, i: SeedIn) -> SumOut {
         let wide = m.array("u_wide", 2, &Wide, |_| LeafIn { x: stack([i.seed.slice(0..8), i.seed.slice(8..16)]) });
         SumOut { sum: m.pipe("any", wide.y.or_all()) + m.pipe("total", wide.y.sum()) }

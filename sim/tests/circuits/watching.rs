@@ -1,7 +1,7 @@
 //! Waves and recordings of a part of a run, and the messages for mistakes in a testbench.
 
 use tilewright_hdl::recording::Initial;
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, codes, goto, stack};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, block, bundle, cat, codes, goto, stack};
 use tilewright_sim::{Batch, Simulation, WaveRadix};
 
 bundle! {
@@ -9,18 +9,14 @@ bundle! {
     pub struct SumOut<T> { pub sum: T, pub word: T }
 }
 
-/// Adds up, and looks up, in two memories that it never writes.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Sum;
+block! {
+    /// Adds up, and looks up, in two memories that it never writes.
+    struct Sum;
+    in = SumIn { add: vec![bits(8), bits(8)], at: bits(3) };
+    out = SumOut { sum: bits(8), word: bits(8) };
+}
 
-impl Block for Sum {
-    type In = SumIn;
-    type Out = SumOut;
-
-    fn inputs(&self) -> SumIn<Width> {
-        SumIn { add: vec![bits(8), bits(8)], at: bits(3) }
-    }
-
+impl Sum {
     fn build(&self, m: Module, i: SumIn) -> SumOut {
         let sum = m.reg("sum", 8).reset(0);
         sum.next(sum + i.add[0] + i.add[1]);

@@ -1,6 +1,6 @@
 //! From a design to a program.
 
-use tilewright_hdl::{Block, Module, Width, bit, bits, block, bundle, constants, stack};
+use tilewright_hdl::{Module, bit, bits, block, bundle, constants, stack};
 use tilewright_sim::{Pass, Passes};
 
 use crate::passes::{after, after_with, is};
@@ -26,20 +26,14 @@ bundle! {
     pub struct TopOut<T> { pub y: T }
 }
 
-/// Cells, written one by one or as an array.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Top {
-    array: bool,
+block! {
+    /// Cells, written one by one or as an array.
+    struct Top { array: bool }
+    in = TopIn { op: bits(8), go: bit() };
+    out = TopOut { y: bits(8) };
 }
 
-impl Block for Top {
-    type In = TopIn;
-    type Out = TopOut;
-
-    fn inputs(&self) -> TopIn<Width> {
-        TopIn { op: bits(8), go: bit() }
-    }
-
+impl Top {
     fn build(&self, m: Module, i: TopIn) -> TopOut {
         let x = i.op.slice(0..7).zext(8);
         m.ignore(&i.go);
@@ -205,18 +199,14 @@ fn fold() {
     );
 }
 
-/// Lanes of an array that are computed one by one.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Lifted;
+block! {
+    /// Lanes of an array that are computed one by one.
+    struct Lifted;
+    in = TopIn { op: bits(8), go: bit() };
+    out = TopOut { y: bits(8) };
+}
 
-impl Block for Lifted {
-    type In = TopIn;
-    type Out = TopOut;
-
-    fn inputs(&self) -> TopIn<Width> {
-        TopIn { op: bits(8), go: bit() }
-    }
-
+impl Lifted {
     fn build(&self, m: Module, i: TopIn) -> TopOut {
         m.ignore(&i.go);
         let first = m.array("u_first", 4, &Cell, |_| CellIn { x: constants(bits(8).of(4), u64::from), op: i.op });

@@ -1,6 +1,6 @@
 //! The instructions of small circuits.
 
-use tilewright_hdl::{Block, Module, bundle};
+use tilewright_hdl::{Module, bits, block, bundle, row};
 use tilewright_sim::Pass;
 
 use super::late::{Filled, Mixer};
@@ -10,16 +10,13 @@ bundle! {
     pub struct CellOut<T> { pub q: T }
 }
 
-/// Counts.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Cell;
+block! {
+    /// Counts.
+    struct Cell;
+    out = CellOut { q: bits(8) };
+}
 
-impl Block for Cell {
-    type In = ();
-    type Out = CellOut;
-
-    fn inputs(&self) {}
-
+impl Cell {
     fn build(&self, m: Module, (): ()) -> CellOut {
         let q = m.reg("q", 8).reset(0);
         q.next(*q + 1);
@@ -27,16 +24,13 @@ impl Block for Cell {
     }
 }
 
-/// A row of such cells.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Row;
+block! {
+    /// A row of such cells.
+    struct Row;
+    out = CellOut { q: bits(8).of(row(64)) };
+}
 
-impl Block for Row {
-    type In = ();
-    type Out = CellOut;
-
-    fn inputs(&self) {}
-
+impl Row {
     fn build(&self, m: Module, (): ()) -> CellOut {
         let cells = m.array("u_cell", 64, &Cell, |_| ());
         CellOut { q: cells.q }

@@ -1,7 +1,7 @@
 //! The testbench interface: setting, reading, stepping, peeking, and every error.
 
 use crate::circuits::engine::of;
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, block, bundle, codes, def, mux, when};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, bundle, codes, def, mux, when};
 use tilewright_sim::{EngineKind, Error, Simulation};
 
 block! {
@@ -110,18 +110,14 @@ bundle! {
     pub struct Answer<T> { pub answer: T }
 }
 
-/// Combinational, and wider than an integer.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Inverter;
+block! {
+    /// Combinational, and wider than an integer.
+    struct Inverter;
+    in = Request { request: bits(100) };
+    out = Answer { answer: bits(100) };
+}
 
-impl Block for Inverter {
-    type In = Request;
-    type Out = Answer;
-
-    fn inputs(&self) -> Request<Width> {
-        Request { request: bits(100) }
-    }
-
+impl Inverter {
     fn build(&self, _: Module, i: Request) -> Answer {
         Answer { answer: !i.request }
     }
@@ -162,18 +158,14 @@ codes! {
     enum Phase { Idle, Busy }
 }
 
-/// Asserts that it is not started twice.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Worker;
+block! {
+    /// Asserts that it is not started twice.
+    struct Worker;
+    in = Request { request: bit() };
+    out = Answer { answer: bit() };
+}
 
-impl Block for Worker {
-    type In = Request;
-    type Out = Answer;
-
-    fn inputs(&self) -> Request<Width> {
-        Request { request: bit() }
-    }
-
+impl Worker {
     fn build(&self, m: Module, Request { request: start }: Request) -> Answer {
         let phase = m.fsm("phase", Phase::Idle);
         phase.next(|now| match now {
@@ -271,24 +263,14 @@ fn a_recording_has_the_values_before_each_edge() {
     assert_eq!((&second.inputs[0], &second.outputs[0]), (&Bits::new(1, 0), &Bits::new(4, 1)));
 }
 
-bundle! {
-    pub struct StoreIn<T> { pub write: T, pub to: T, pub from: T, pub data: T }
+block! {
+    /// A memory with one port in each direction, with a policy.
+    struct Store { policy: ReadUnderWrite }
+    in StoreIn { write: bit(), to: bits(3), from: bits(3), data: bits(70) }
+    out = Answer { answer: bits(70) };
 }
 
-/// A memory with one port in each direction, with a policy.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Store {
-    policy: ReadUnderWrite,
-}
-
-impl Block for Store {
-    type In = StoreIn;
-    type Out = Answer;
-
-    fn inputs(&self) -> StoreIn<Width> {
-        StoreIn { write: bit(), to: bits(3), from: bits(3), data: bits(70) }
-    }
-
+impl Store {
     fn build(&self, m: Module, i: StoreIn) -> Answer {
         let store = m.memory("store", 6, 70, self.policy);
         store.write(i.write, i.to, i.data);
