@@ -33,7 +33,7 @@ impl Cell {
 block! {
     /// A chain of cells, linked through `value` or, if chained, through `at_once`.
     struct Row { lanes: u32, width: u32, chained: bool }
-    in(self) = RowIn { common: bits(self.width), entering: bits(self.width) };
+    in(self) RowIn { common: bits(self.width), entering: bits(self.width) }
     out RowOut { sum: _, any: _, last: _, all: _ }
 }
 
@@ -185,7 +185,7 @@ proptest! {
 block! {
     /// Rows in an array: lanes of lanes.
     struct Grid { width: u32 }
-    in(self) RowIn { common: bits(self.width), entering: bits(self.width) }
+    in(self) = RowIn { common: bits(self.width), entering: bits(self.width) };
     out GridOut { total: _ }
 }
 
