@@ -1,6 +1,6 @@
-//! The strip programs of every block of the catalogues, with vectors of each width: their text is read as it was
-//! printed, every access is shown to stay in its allocation, and old values are read before they change. Programs that
-//! have lost a mask or a minimum of an address are refused, unless its index stays in the padding; so are programs that
+//! The strip programs of every block of the catalogues, with vectors of each width. Their text is read as it was
+//! printed. Every access is shown to stay in its allocation, and old values are read before they change. Programs that
+//! have lost a mask or a minimum of an address are refused, unless its index stays in the padding. So are programs that
 //! read what they have changed.
 
 use tilewright_cosim::workers;

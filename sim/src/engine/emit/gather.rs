@@ -33,8 +33,8 @@ impl Emitter<'_, '_> {
             Access::Groups(of, times) => self.repeat_lanes(strip, id, of, times),
             Access::Regular { of, lanes, step } => self.gather_regular(strip, id, of, &lanes, step),
             Access::Each(of, number, clamp) => self.each(strip, id, (of, number), clamp),
-            Access::Words((memory, address)) => self.read_together(strip, id, memory, address),
-            Access::EachWord((memory, address)) => self.read_each(strip, id, memory, address),
+            Access::Words(word) => self.read_together(strip, id, word),
+            Access::EachWord(word) => self.read_each(strip, id, word),
             Access::WordOf(word, from, clamp) => self.read_of(strip, id, word, (from, clamp)),
         }
     }

@@ -58,7 +58,7 @@ impl Emitter<'_, '_> {
         let mut strip = Strip::new(&nest, self.builder.vector_bits());
         nest.uniforms.iter().for_each(|&id| self.splat_uniform(&mut strip, id));
         nest.tiles.iter().for_each(|&id| self.tile_whole(&mut strip, id));
-        nest.words.iter().for_each(|&(memory, address)| self.begin_words(&mut strip, memory, address));
+        nest.words.iter().for_each(|&word| self.begin_words(&mut strip, word));
         let sums = match nest.division.rows() {
             1 => self.row(&mut strip, &nest, None, &mut Vec::new()),
             rows => {

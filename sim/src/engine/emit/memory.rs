@@ -63,7 +63,8 @@ impl Emitter<'_, '_> {
     }
 
     /// The address of the words at the address common to all lanes, and that address; to be called before the loop.
-    pub(super) fn begin_words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) {
+    pub(super) fn begin_words(&mut self, strip: &mut Strip, word: Word) {
+        let (memory, address) = word;
         let at = self.memories[memory as usize];
         let common = match self.function.cell(address).kind {
             Kind::Broadcast { of, .. } if self.function.cell(of).lanes == 1 => of,
@@ -73,13 +74,13 @@ impl Emitter<'_, '_> {
         let number = self.scalars.clean(self.builder, common)[0];
         let base = self.memory_base(at);
         let start = self.word(at, number, base);
-        strip.words.insert((memory, address), (start, number));
+        strip.words.insert(word, (start, number));
     }
 
     /// The words of a strip, at the address common to all lanes.
-    fn words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) -> (Span, Value) {
-        let (start, number) = strip.words[&(memory, address)];
-        let word = self.memories[memory as usize].words.word;
+    fn words(&mut self, strip: &mut Strip, word: Word) -> (Span, Value) {
+        let (start, number) = strip.words[&word];
+        let word = self.memories[word.0 as usize].words.word;
         let lanes = self.scaled(strip.first.expect("it has begun"), word);
         let address = self.builder.add(start, lanes);
         (Span { storage: word as u32 * 8, address, offset: 0, aligned: true }, number)
@@ -103,13 +104,13 @@ impl Emitter<'_, '_> {
     }
 
     /// Reads the words of all lanes at the address common to them.
-    pub(super) fn read_together(&mut self, strip: &mut Strip, id: ValueId, memory: u32, address: ValueId) {
-        let (side, _) = self.words(strip, memory, address);
-        strip.lanes.load(self.builder, id, self.memories[memory as usize].width, side);
+    pub(super) fn read_together(&mut self, strip: &mut Strip, id: ValueId, word: Word) {
+        let (side, _) = self.words(strip, word);
+        strip.lanes.load(self.builder, id, self.memories[word.0 as usize].width, side);
     }
 
     /// Reads a word for each lane.
-    pub(super) fn read_each(&mut self, strip: &mut Strip, id: ValueId, memory: u32, address: ValueId) {
+    pub(super) fn read_each(&mut self, strip: &mut Strip, id: ValueId, (memory, address): Word) {
         let at = self.memories[memory as usize];
         let mut lanes = Vec::new();
         for lane in 0..strip.size() {
@@ -165,7 +166,7 @@ impl Emitter<'_, '_> {
         }
         let any = strip.lanes.any(self.builder, enable);
         if at.words.together() {
-            let (side, number) = self.words(strip, memory, address);
+            let (side, number) = self.words(strip, (memory, address));
             let go = self.inside(at, number, any);
             let mark = strip.lanes.mark();
             self.branch(go, |emitter| {

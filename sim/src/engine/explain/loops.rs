@@ -66,14 +66,14 @@ impl Loops<'_> {
         let sources = |ids: &[ValueId]| list(text, &ids.iter().map(|&id| source(id)).collect::<Vec<_>>());
         let word = |&(memory, at): &(u32, ValueId)| format!("{}[{}]", text.memory(memory), text.name(source(at)));
         let words: Vec<String> = nest.words.iter().map(word).collect();
-        let taken = |by: &str| {
+        let taken = ["taken by one load", "taken by some loads", "taken lane by lane"].map(|what| {
             let cells = nest.work.iter().filter_map(|work| match *work {
                 Work::Cell(id) => Some((id, nest.taken.get(&id)?)),
                 _ => None,
             });
-            let cells = cells.filter(|(_, access)| loads(access) == by);
-            cells.map(|(id, access)| text.name(id) + kept(access).as_str()).collect::<Vec<_>>().join(" ")
-        };
+            let cells = cells.filter(|(_, access)| loads(access) == what);
+            (what, cells.map(|(id, access)| text.name(id) + kept(access).as_str()).collect::<Vec<_>>().join(" "))
+        });
         let parts = [
             ("before all", sources(&nest.uniforms)),
             ("before all, repeated in a strip", sources(&nest.tiles)),
@@ -81,11 +81,8 @@ impl Loops<'_> {
             ("before each row", sources(&nest.of_row)),
             ("carried along a row", list(text, &nest.sums)),
             ("carried along all rows", list(text, &nest.totals)),
-            ("taken by one load", taken("one load")),
-            ("taken by some loads", taken("some loads")),
-            ("taken lane by lane", taken("lane by lane")),
         ];
-        let some = parts.into_iter().filter(|(_, names)| !names.is_empty());
+        let some = parts.into_iter().chain(taken).filter(|(_, names)| !names.is_empty());
         let lines = some.map(|(what, names)| format!("{what}: {names}"));
         std::iter::once(division(nest.division)).chain(lines).collect()
     }
@@ -112,9 +109,9 @@ fn kept(access: &Access) -> String {
 /// How many loads take the lanes of a strip.
 fn loads(access: &Access) -> &'static str {
     match access {
-        Access::Uniform | Access::Constant(_) => "no load",
-        Access::OfRow(_) | Access::Near(..) | Access::Words(_) => "one load",
-        Access::Groups(..) | Access::Regular { .. } => "some loads",
-        Access::Each(..) | Access::EachWord(_) | Access::WordOf(..) => "lane by lane",
+        Access::Uniform | Access::Constant(_) => "taken without a load",
+        Access::OfRow(_) | Access::Near(..) | Access::Words(_) => "taken by one load",
+        Access::Groups(..) | Access::Regular { .. } => "taken by some loads",
+        Access::Each(..) | Access::EachWord(_) | Access::WordOf(..) => "taken lane by lane",
     }
 }

@@ -20,7 +20,8 @@ pub(crate) enum Clamp {
 }
 
 impl Clamp {
-    /// For the numbers in a value, of so many lanes. Those in a table are known; others show it by their width, if at all.
+    /// For the numbers in a value, of so many lanes. Those in a table are known to exist. Of others only the width can
+    /// show it.
     pub fn of_numbers(function: &Function, at: ValueId, lanes: u32) -> Clamp {
         let all_exist = function.is_table(at) || top_mask(function.cell(at).width) < u64::from(lanes);
         if all_exist { Clamp::None } else { Clamp::Last(lanes - 1) }
