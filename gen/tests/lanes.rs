@@ -101,6 +101,12 @@ fn comparisons_with_constants_of_other_lanes() {
     clean(vec![awkward::passed_constants()]);
 }
 
+#[test]
+fn a_comparison_with_a_lane_that_is_a_constant() {
+    let text = clean(vec![awkward::constant_in_a_lane()]);
+    assert!(text.contains("assign less = 1'b0;"), "{text}");
+}
+
 /// The input of a chain is in a scope of another shape, from which no parameter of the lanes is found.
 #[test]
 fn constants_in_what_enters_lanes() {

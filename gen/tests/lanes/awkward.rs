@@ -206,6 +206,22 @@ pub fn passed_constants() -> Module {
     b.module.clone()
 }
 
+/// A comparison outside of lanes with the low bits of a lane that is 8.
+pub fn constant_in_a_lane() -> Module {
+    let b = &mut Build::new("constant_in_a_lane");
+    let (x, value) = (b.input("x", 3, Shape::Plain), b.input("value", 4, Shape::Row(3)));
+    let edge = b.constant(4, 8, Shape::Plain);
+    let moved = b.map(value, 0, 8, Affine::shift(-3), Some(edge));
+    let low = b.node(Op::Slice { of: moved, low: 0 }, 3, Shape::Row(8));
+    let lanes = b.delayed("lanes", low);
+    b.next(lanes, None, low);
+    b.output("lanes_before", lanes);
+    let last = b.node(Op::Lane { of: low, axis: 0, index: 7 }, 3, Shape::Plain);
+    let less = b.node(Op::Compare { relation: Relation::Lt, signed: false, operands: [x, last] }, 1, Shape::Plain);
+    b.output("less", less);
+    b.module.clone()
+}
+
 /// The inputs of rows of registers, and values beside them, are computed from a constant for each row.
 pub fn entered_constants() -> Module {
     let b = &mut Build::new("entered_constants");

@@ -3,6 +3,7 @@
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
 use crate::verilog::constant;
+use crate::verilog::lane_values::known;
 use crate::verilog::plan::{MOST_ARMS, MOST_KEYS};
 use tilewright_circuit::Bits;
 use tilewright_circuit::ir::{Binary, Node, NodeId, Op, Relation, Unary};
@@ -76,7 +77,9 @@ impl Fold {
         let (lowest, highest) = constant::range(width, signed);
         let truth = |value: bool| Is(Op::Const(Bits::from(value)));
         let is = |value: &Option<Bits>, what: &Bits| value.as_ref() == Some(what);
-        let (left, right) = (self.constant(a), self.constant(b));
+        // Linters compute a lane from constants, too.
+        let value = |id| if self.module.shape(id).is_plain() { known(&self.module, id, 0) } else { self.constant(id) };
+        let (left, right) = (value(a), value(b));
         if let (Some(left), Some(right)) = (&left, &right) {
             return truth(relation.holds(signed, left, right));
         }
