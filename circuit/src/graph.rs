@@ -1,32 +1,136 @@
 //! The graph algorithms that the checks need, all iterative and in linear time.
 
-/// The strongly connected components of `0..count` that have several vertices or an edge to themselves, each sorted:
-/// the vertices that can reach themselves.
-pub fn cyclic_components(edges: &Edges) -> Vec<Vec<u32>> {
-    let mut found = Vec::new();
-    components(edges, |component| {
-        if is_cyclic(edges, component) {
-            let mut component = component.to_vec();
-            component.sort_unstable();
-            found.push(component);
+/// A directed graph of `0..count`: the targets of all edges in one list, and the strongly connected components.
+pub struct Graph {
+    edges: Lists,
+    components: Lists,
+}
+
+impl Graph {
+    /// `list` calls its second argument with each target of the vertex.
+    pub fn new(count: usize, mut list: impl FnMut(u32, &mut dyn FnMut(u32))) -> Graph {
+        let (mut edges, mut points_back) = (Lists::new(), true);
+        for vertex in 0..count as u32 {
+            list(vertex, &mut |target| {
+                points_back &= target < vertex;
+                edges.members.push(target);
+            });
+            edges.close();
         }
-    });
-    found.sort();
-    found
+        let components = if points_back { Lists::single(count) } else { components(&edges) };
+        Graph { edges, components }
+    }
+
+    /// The targets of a vertex's edges.
+    pub fn of(&self, vertex: u32) -> &[u32] {
+        self.edges.at(vertex as usize)
+    }
+
+    /// The strongly connected components, each after all components that it has edges to.
+    pub fn components(&self) -> impl Iterator<Item = &[u32]> {
+        (0..self.components.count()).map(|place| self.components.at(place))
+    }
+
+    /// Whether the vertices of a component reach themselves.
+    pub fn is_cyclic(&self, component: &[u32]) -> bool {
+        component.len() > 1 || self.of(component[0]).contains(&component[0])
+    }
+
+    /// The components whose vertices reach themselves, each sorted.
+    pub fn cyclic_components(&self) -> Vec<Vec<u32>> {
+        let cyclic = self.components().filter(|component| self.is_cyclic(component));
+        let mut found: Vec<Vec<u32>> = cyclic.map(<[u32]>::to_vec).collect();
+        found.iter_mut().for_each(|component| component.sort_unstable());
+        found.sort();
+        found
+    }
+
+    /// The vertices in topological order, targets first, except within cycles.
+    pub fn targets_first(&self) -> Vec<u32> {
+        let (mut order, mut begun, mut work) = (Vec::new(), vec![false; self.edges.count()], Vec::new());
+        for root in 0..self.edges.count() as u32 {
+            work.push((root, 0));
+            while let Some((vertex, edge)) = work.pop() {
+                if edge == 0 && std::mem::replace(&mut begun[vertex as usize], true) {
+                    continue;
+                }
+                match self.of(vertex).get(edge) {
+                    Some(&to) => {
+                        work.push((vertex, edge + 1));
+                        work.push((to, 0));
+                    }
+                    None => order.push(vertex),
+                }
+            }
+        }
+        order
+    }
+
+    /// A shortest cycle through `start` within `component`, which is sorted.
+    pub fn cycle_through(&self, component: &[u32], start: u32) -> Vec<u32> {
+        let place = |vertex: u32| component.binary_search(&vertex).ok();
+        let mut from = vec![None; component.len()];
+        let mut queue = std::collections::VecDeque::from([start]);
+        while let Some(vertex) = queue.pop_front() {
+            for &to in self.of(vertex) {
+                if to == start {
+                    let mut cycle = vec![vertex];
+                    while *cycle.last().expect("not empty") != start {
+                        let at = place(*cycle.last().expect("not empty")).expect("in the component");
+                        cycle.push(from[at].expect("reached from the start"));
+                    }
+                    cycle.reverse();
+                    return cycle;
+                }
+                if let Some(at) = place(to)
+                    && from[at].is_none()
+                {
+                    from[at] = Some(vertex);
+                    queue.push_back(to);
+                }
+            }
+        }
+        unreachable!("every vertex of a cyclic component is on a cycle")
+    }
 }
 
-/// Whether the vertices of a component reach themselves.
-pub fn is_cyclic(edges: &Edges, component: &[u32]) -> bool {
-    component.len() > 1 || edges.of(component[0]).contains(&component[0])
+/// Lists of vertices, one after the other.
+struct Lists {
+    /// Where each list starts, and where the last one ends.
+    starts: Vec<u32>,
+    members: Vec<u32>,
 }
 
-/// Calls `visit` with each strongly connected component, after all components that it has edges to (Tarjan's
-/// algorithm with an explicit stack).
-pub fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
+impl Lists {
+    fn new() -> Lists {
+        Lists { starts: vec![0], members: Vec::new() }
+    }
+
+    /// A list for each vertex, of itself.
+    fn single(count: usize) -> Lists {
+        Lists { starts: (0..=count as u32).collect(), members: (0..count as u32).collect() }
+    }
+
+    /// Ends a list.
+    fn close(&mut self) {
+        self.starts.push(self.members.len() as u32);
+    }
+
+    fn count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    fn at(&self, place: usize) -> &[u32] {
+        &self.members[self.starts[place] as usize..self.starts[place + 1] as usize]
+    }
+}
+
+/// Tarjan's algorithm with an explicit stack.
+fn components(edges: &Lists) -> Lists {
     const NEW: u32 = u32::MAX;
     let count = edges.count();
     let (mut index, mut low, mut on_stack) = (vec![NEW; count], vec![0; count], vec![false; count]);
-    let (mut stack, mut work, mut next) = (Vec::new(), Vec::new(), 0);
+    let (mut stack, mut work, mut next, mut found) = (Vec::new(), Vec::new(), 0, Lists::new());
     for root in 0..count as u32 {
         if index[root as usize] != NEW {
             continue;
@@ -39,7 +143,7 @@ pub fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
                 next += 1;
                 stack.push(vertex);
             }
-            if let Some(&to) = edges.of(vertex).get(edge) {
+            if let Some(&to) = edges.at(v).get(edge) {
                 work.push((vertex, edge + 1));
                 match index[to as usize] {
                     NEW => work.push((to, 0)),
@@ -54,85 +158,12 @@ pub fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
             if low[v] == index[v] {
                 let at = stack.iter().rposition(|&member| member == vertex).expect("a root is on the stack");
                 stack[at..].iter().for_each(|&member| on_stack[member as usize] = false);
-                visit(&stack[at..]);
-                stack.truncate(at);
+                found.members.extend(stack.drain(at..));
+                found.close();
             }
         }
     }
-}
-
-/// The vertices in topological order, targets first, except within cycles.
-pub fn targets_first(edges: &Edges) -> Vec<u32> {
-    let (mut order, mut begun, mut work) = (Vec::new(), vec![false; edges.count()], Vec::new());
-    for root in 0..edges.count() as u32 {
-        work.push((root, 0));
-        while let Some((vertex, edge)) = work.pop() {
-            if edge == 0 && std::mem::replace(&mut begun[vertex as usize], true) {
-                continue;
-            }
-            match edges.of(vertex).get(edge) {
-                Some(&to) => {
-                    work.push((vertex, edge + 1));
-                    work.push((to, 0));
-                }
-                None => order.push(vertex),
-            }
-        }
-    }
-    order
-}
-
-/// A shortest cycle through `start` within `component`, which is sorted.
-pub fn cycle_through(edges: &Edges, component: &[u32], start: u32) -> Vec<u32> {
-    let place = |vertex: u32| component.binary_search(&vertex).ok();
-    let mut from = vec![None; component.len()];
-    let mut queue = std::collections::VecDeque::from([start]);
-    while let Some(vertex) = queue.pop_front() {
-        for &to in edges.of(vertex) {
-            if to == start {
-                let mut cycle = vec![vertex];
-                while *cycle.last().expect("not empty") != start {
-                    let at = place(*cycle.last().expect("not empty")).expect("in the component");
-                    cycle.push(from[at].expect("reached from the start"));
-                }
-                cycle.reverse();
-                return cycle;
-            }
-            if let Some(at) = place(to)
-                && from[at].is_none()
-            {
-                from[at] = Some(vertex);
-                queue.push_back(to);
-            }
-        }
-    }
-    unreachable!("every vertex of a cyclic component is on a cycle")
-}
-
-/// For each vertex, the targets of its edges, all in one list.
-pub struct Edges {
-    starts: Vec<u32>,
-    targets: Vec<u32>,
-}
-
-impl Edges {
-    /// `list` calls its second argument with each target of the vertex.
-    pub fn new(count: usize, mut list: impl FnMut(u32, &mut dyn FnMut(u32))) -> Edges {
-        let (mut starts, mut targets) = (vec![0], Vec::new());
-        for vertex in 0..count as u32 {
-            list(vertex, &mut |target| targets.push(target));
-            starts.push(targets.len() as u32);
-        }
-        Edges { starts, targets }
-    }
-
-    pub fn count(&self) -> usize {
-        self.starts.len() - 1
-    }
-
-    pub fn of(&self, vertex: u32) -> &[u32] {
-        &self.targets[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize]
-    }
+    found
 }
 
 /// A set of small numbers for each vertex.
@@ -160,19 +191,26 @@ impl Sets {
     }
 
     /// Adds to every vertex the members of all vertices that it is computed from.
-    pub fn spread(&mut self, operands: &Edges) {
-        let mut union = vec![0; self.words];
-        components(operands, |component| {
-            union.fill(0);
+    pub fn spread(&mut self, operands: &Graph) {
+        for component in operands.components() {
+            // All vertices of a component have the same members. The first one collects them.
+            let (first, others) = (component[0], &component[1..]);
+            others.iter().for_each(|&vertex| self.add(first, vertex));
             for &vertex in component {
-                for &from in operands.of(vertex).iter().chain([&vertex]) {
-                    let from = &self.bits[from as usize * self.words..][..self.words];
-                    union.iter_mut().zip(from).for_each(|(all, some)| *all |= some);
-                }
+                operands.of(vertex).iter().for_each(|&from| self.add(first, from));
             }
-            for &vertex in component {
-                self.bits[vertex as usize * self.words..][..self.words].copy_from_slice(&union);
-            }
-        });
+            others.iter().for_each(|&vertex| self.add(vertex, first));
+        }
+    }
+
+    /// Adds the members of one vertex to another.
+    fn add(&mut self, to: u32, from: u32) {
+        let (to, from) = (to as usize * self.words, from as usize * self.words);
+        // Most modules have few inputs.
+        if self.words == 1 {
+            self.bits[to] |= self.bits[from];
+        } else {
+            (0..self.words).for_each(|word| self.bits[to + word] |= self.bits[from + word]);
+        }
     }
 }

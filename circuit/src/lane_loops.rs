@@ -1,6 +1,6 @@
 //! Combinational loops, lane by lane: a chain from lane to lane is a loop only if it returns to the same lane.
 
-use crate::graph::{Edges, cycle_through, cyclic_components};
+use crate::graph::Graph;
 use crate::ir::{NodeId, Op};
 use crate::netlist::Netlist;
 use crate::summary::{self, Summary};
@@ -10,12 +10,12 @@ use std::collections::BTreeMap;
 /// direction in which values flow.
 pub(crate) fn find(circuit: &impl Netlist, summaries: &[Summary], component: &[u32]) -> Option<Vec<(NodeId, u32)>> {
     let lanes = Lanes::new(circuit, summaries, component);
-    let edges = lanes.edges();
-    let loops = cyclic_components(&edges);
+    let graph = lanes.graph();
+    let loops = graph.cyclic_components();
     let found = loops.first()?;
     // A whole port has no name: the loop begins at a lane.
     let start = *found.iter().find(|vertex| lanes.node(**vertex).is_some())?;
-    let mut hops = cycle_through(&edges, found, start);
+    let mut hops = graph.cycle_through(found, start);
     // Operands point backwards.
     hops[1..].reverse();
     Some(hops.into_iter().filter_map(|vertex| lanes.node(vertex)).collect())
@@ -72,7 +72,7 @@ impl<'a, C: Netlist> Lanes<'a, C> {
         (lane < self.circuit.node(node).shape.lanes()).then_some((node, lane))
     }
 
-    fn edges(&self) -> Edges {
+    fn graph(&self) -> Graph {
         let mut ports: Vec<_> =
             self.ports.iter().map(|(&(node, instances), &first)| (first, node, instances)).collect();
         ports.sort_unstable();
@@ -82,7 +82,7 @@ impl<'a, C: Netlist> Lanes<'a, C> {
         let mut whole = ports.iter().flat_map(|&(_, node, instances)| {
             (0..instances).map(move |instance| Vertex::Port { driver: node, instances, instance })
         });
-        Edges::new(self.count as usize, |_, push| match vertices.next().or_else(|| whole.next()) {
+        Graph::new(self.count as usize, |_, push| match vertices.next().or_else(|| whole.next()) {
             Some(Vertex::Lane(node, lane)) => self.lane(node, lane, push),
             Some(Vertex::Port { driver, instances, instance }) => {
                 let lanes = self.circuit.node(driver).shape.lanes() / instances;

@@ -1,6 +1,6 @@
 //! Combinational loops: through values, through instances, and lane by lane for values with lanes.
 
-use crate::graph::{Edges, cycle_through, cyclic_components};
+use crate::graph::Graph;
 use crate::ir::{NodeId, Shape};
 use crate::lane_loops;
 use crate::limits::MOST_LOOPED_LANES;
@@ -9,15 +9,14 @@ use crate::netlist::Netlist;
 use crate::problem::Problem;
 use crate::summary::{self, Summary};
 
-/// Reports every loop, and returns whether there is none.
-pub fn check(circuit: &impl Netlist, summaries: &[Summary], problems: &mut Vec<Problem>) -> bool {
-    let edges = summary::combinational_edges(circuit, summaries);
+/// Reports every loop. If there is none, returns the combinational graph.
+pub fn check(circuit: &impl Netlist, summaries: &[Summary], problems: &mut Vec<Problem>) -> Option<Graph> {
+    let graph = summary::combinational(circuit, summaries);
     let before = problems.len();
-    let components = cyclic_components(&edges);
-    for component in &components {
+    for component in &graph.cyclic_components() {
         let shape = |node: &u32| circuit.node(NodeId(*node)).shape;
         if component.iter().all(|node| shape(node).is_plain()) {
-            problems.push(node_loop(circuit, &edges, component));
+            problems.push(node_loop(circuit, &graph, component));
             continue;
         }
         let lanes = component.iter().map(|node| u64::from(shape(node).lanes())).sum();
@@ -28,12 +27,12 @@ pub fn check(circuit: &impl Netlist, summaries: &[Summary], problems: &mut Vec<P
         let found = lane_loops::find(circuit, summaries, component);
         problems.extend(found.map(|hops| report(circuit, hops)));
     }
-    problems.len() == before
+    (problems.len() == before).then_some(graph)
 }
 
-fn node_loop(circuit: &impl Netlist, edges: &Edges, component: &[u32]) -> Problem {
+fn node_loop(circuit: &impl Netlist, graph: &Graph, component: &[u32]) -> Problem {
     // Operands point backwards: the reverse of the cycle is the direction in which values flow.
-    let mut hops: Vec<_> = cycle_through(edges, component, first_named(circuit, component));
+    let mut hops: Vec<_> = graph.cycle_through(component, first_named(circuit, component));
     hops[1..].reverse();
     report(circuit, hops.into_iter().map(|node| (NodeId(node), 0)).collect())
 }

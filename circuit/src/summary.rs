@@ -1,6 +1,6 @@
 //! A finished module's summary for its parents: the inputs and clocks that each output depends on within a cycle.
 
-use crate::graph::{Edges, Sets};
+use crate::graph::{Graph, Sets};
 use crate::ir::{Module, NodeId, Op};
 use crate::netlist::Netlist;
 use std::collections::BTreeSet;
@@ -49,8 +49,8 @@ impl Summary {
 }
 
 /// The combinational edges of a module, from a node to the nodes that it is computed from.
-pub fn combinational_edges(circuit: &impl Netlist, summaries: &[Summary]) -> Edges {
-    Edges::new(circuit.nodes().len(), |node, push| operands(circuit, summaries, NodeId(node), &mut |id| push(id.0)))
+pub fn combinational(circuit: &impl Netlist, summaries: &[Summary]) -> Graph {
+    Graph::new(circuit.nodes().len(), |node, push| operands(circuit, summaries, NodeId(node), &mut |id| push(id.0)))
 }
 
 /// Visits every node that `id` is computed from in the same cycle, through instances and asynchronous reads too.
@@ -73,19 +73,19 @@ pub fn operands(circuit: &impl Netlist, summaries: &[Summary], id: NodeId, visit
 }
 
 /// The inputs that each node depends on through these edges.
-pub fn input_sets(circuit: &impl Netlist, edges: &Edges) -> Sets {
+pub fn input_sets(circuit: &impl Netlist, operands: &Graph) -> Sets {
     let mut inputs = Sets::new(circuit.nodes().len(), circuit.inputs().len());
     circuit.inputs().iter().enumerate().for_each(|(i, input)| inputs.insert(input.node.0, i));
-    inputs.spread(edges);
+    inputs.spread(operands);
     inputs
 }
 
 /// The part of a finished module's summary that the check for loops in its parents needs.
-pub fn of_loops(module: &Module, summaries: &[Summary], outputs: &[NodeId]) -> Summary {
-    let sets = input_sets(module, &combinational_edges(module, summaries));
-    let mut summary = Summary::unknown(outputs.len());
-    for (output, node) in summary.outputs.iter_mut().zip(outputs) {
-        output.inputs = sets.members(node.0).map(|input| input as u32).collect();
+pub fn of_loops(module: &Module, operands: &Graph) -> Summary {
+    let sets = input_sets(module, operands);
+    let mut summary = Summary::unknown(module.outputs.len());
+    for (dependence, output) in summary.outputs.iter_mut().zip(&module.outputs) {
+        dependence.inputs = sets.members(output.node.0).map(|input| input as u32).collect();
     }
     summary
 }

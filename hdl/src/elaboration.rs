@@ -25,7 +25,7 @@ pub(crate) struct Elaboration {
     pub stamp: u32,
     pub done: Vec<Module>,
     pub summaries: Vec<Summary>,
-    /// For each finished module, the delays of its outputs, as long as there is no problem.
+    /// The delays of the outputs of the first finished modules: as many as a stated latency has needed.
     pub delays: Vec<Vec<Delay>>,
     /// For each finished module, the output bundle of its block, as a shape.
     pub shapes: Vec<Rc<dyn Any>>,

@@ -44,7 +44,7 @@ pub(crate) fn finish(
     port_names::check(&draft, &outputs, problems);
     check::unused::check(&draft, &outputs, problems);
     check::foreign::check(&draft, &e.done, &outputs, problems);
-    let sound = loops::check(&draft, &e.summaries, problems);
+    let sound = loops::check(&draft, &e.summaries, problems).is_some();
     let mixed = check::domains::check(&draft, &e.done, &e.summaries, &outputs, problems);
     if sound {
         check::stages::check(&draft, &e.summaries, problems);
@@ -71,10 +71,10 @@ pub(crate) fn finish(
     e.depends_on.push(depends);
     let block = (draft.block, !draft.enables.is_empty());
     let module = module(draft, outputs.into_iter().zip(kinds), &renumber, &resets, name, about, parameters);
-    if e.problems.is_empty() {
-        check::latency::check(block, &module, &mut e.delays, &mut e.problems);
-    }
     e.done.push(module);
+    if e.problems.is_empty() {
+        check::latency::check(block, &e.done, &mut e.delays, &mut e.problems);
+    }
 }
 
 /// The module's name, with what of its own clock matters here and is not as names leave it out.

@@ -12,7 +12,7 @@ use crate::signal::Signal;
 use crate::summary::{self, Summary};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::RangeFrom;
-use tilewright_circuit::graph::{Edges, components, is_cyclic};
+use tilewright_circuit::graph::Graph;
 use tilewright_circuit::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape, Unary};
 use tilewright_circuit::{Bits, Loc};
 
@@ -152,22 +152,22 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
 fn edges_back(draft: &Draft, summaries: &[Summary]) -> Vec<usize> {
     let pasts: BTreeMap<NodeId, NodeId> = draft.pasts.iter().map(|((of, ..), past)| (*past, *of)).collect();
     let past_of = |node: u32| pasts.get(&NodeId(node)).map(|of| of.0);
-    let edges = Edges::new(draft.nodes.len(), |node, push| {
+    let graph = Graph::new(draft.nodes.len(), |node, push| {
         past_of(node).into_iter().for_each(&mut *push);
         summary::operands(draft, summaries, NodeId(node), &mut |id| push(id.0));
     });
     let mut back = vec![0; draft.nodes.len()];
-    components(&edges, |component| {
+    for component in graph.components() {
         // Past values that depend on each other look back without end.
-        let has_no_end = is_cyclic(&edges, component) && component.iter().any(|node| past_of(*node).is_some());
+        let has_no_end = graph.is_cyclic(component) && component.iter().any(|node| past_of(*node).is_some());
         let behind = |node: &u32| {
             let own = usize::from(past_of(*node).is_some());
-            edges.of(*node).iter().map(move |of| (*of, own))
+            graph.of(*node).iter().map(move |of| (*of, own))
         };
         let most = component.iter().flat_map(behind).map(|(of, own)| back[of as usize] + own).max().unwrap_or(0);
         let most = if has_no_end { pasts.len() } else { most };
         component.iter().for_each(|node| back[*node as usize] = most);
-    });
+    }
     back
 }
 

@@ -2,7 +2,7 @@
 
 use crate::draft::Draft;
 use std::collections::BTreeSet;
-use tilewright_circuit::graph::{Edges, Sets, components};
+use tilewright_circuit::graph::{Graph, Sets};
 use tilewright_circuit::ir::{InstanceId, NodeId, Op};
 pub(crate) use tilewright_circuit::summary::*;
 
@@ -59,22 +59,23 @@ fn is_wired(draft: &Draft, summaries: &[Summary], id: NodeId) -> bool {
 }
 
 /// For each node, whether it comes without logic, as defined by [`wired_inputs`].
-fn wired(draft: &Draft, summaries: &[Summary], edges: &Edges) -> Vec<bool> {
+fn wired(draft: &Draft, summaries: &[Summary], operands: &Graph) -> Vec<bool> {
     let mut wired = vec![true; draft.nodes.len()];
-    components(edges, |component| {
+    for component in operands.components() {
         let comes = |node: &u32| {
             let is_static = matches!(draft.node(NodeId(*node)).op, Op::QuasiStatic(..));
-            let behind = || edges.of(*node).iter().all(|of| wired[*of as usize]);
+            let behind = || operands.of(*node).iter().all(|of| wired[*of as usize]);
             is_static || is_wired(draft, summaries, NodeId(*node)) && behind()
         };
         let all = component.iter().all(comes);
         component.iter().for_each(|node| wired[*node as usize] = all);
-    });
+    }
     wired
 }
 
-fn timed_edges(draft: &Draft, summaries: &[Summary]) -> Edges {
-    Edges::new(draft.nodes.len(), |node, push| timed_operands(draft, summaries, NodeId(node), &mut |id| push(id.0)))
+/// From each node to the operands whose clocks are visible in it.
+pub(crate) fn timed(draft: &Draft, summaries: &[Summary]) -> Graph {
+    Graph::new(draft.nodes.len(), |node, push| timed_operands(draft, summaries, NodeId(node), &mut |id| push(id.0)))
 }
 
 /// Whether the clocks of input ports count as clocks of the value. Inside the module they do; for a parent they do
@@ -86,7 +87,7 @@ pub(crate) enum View {
 }
 
 /// The clocks whose state each node depends on within a cycle; a quasi-static signal hides the clocks behind it.
-pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View) -> Sets {
+pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View, timed: &Graph) -> Sets {
     let mut sets = Sets::new(draft.nodes.len(), draft.clocks.len());
     for (i, node) in draft.nodes.iter().enumerate() {
         let mut add = |clock: tilewright_circuit::ir::ClockId| sets.insert(i as u32, clock.0 as usize);
@@ -108,22 +109,17 @@ pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View) -> Se
             _ => {}
         }
     }
-    sets.spread(&timed_edges(draft, summaries));
+    sets.spread(timed);
     sets
-}
-
-/// The inputs whose clocks are visible in each node.
-pub(crate) fn timed_input_sets(draft: &Draft, summaries: &[Summary]) -> Sets {
-    input_sets(draft, &timed_edges(draft, summaries))
 }
 
 /// The summary of a draft; `renumber` maps its clocks to those of the finished module.
 pub(crate) fn summarize(draft: &Draft, summaries: &[Summary], outputs: &[NodeId], renumber: &[Option<u32>]) -> Summary {
-    let edges = combinational_edges(draft, summaries);
-    let inputs = input_sets(draft, &edges);
-    let wired = wired(draft, summaries, &edges);
-    let timed_inputs = timed_input_sets(draft, summaries);
-    let clocks = clock_sets(draft, summaries, View::Outside);
+    let (operands, timed) = (combinational(draft, summaries), timed(draft, summaries));
+    let inputs = input_sets(draft, &operands);
+    let wired = wired(draft, summaries, &operands);
+    let timed_inputs = input_sets(draft, &timed);
+    let clocks = clock_sets(draft, summaries, View::Outside, &timed);
     let dependence = |output: &NodeId| Dependence {
         inputs: inputs.members(output.0).map(|i| i as u32).collect(),
         timed_inputs: timed_inputs.members(output.0).map(|i| i as u32).collect(),

@@ -26,16 +26,14 @@ impl fmt::Display for Uneven {
 /// Finds a list in the leaves of a bundle that is longer or shorter than in another bundle of the same type.
 #[doc(hidden)]
 pub fn uneven<T, U>(has: &[(String, T)], needs: &[(String, U)]) -> Option<Uneven> {
-    let paths = |path: &(String, T)| path.0.clone();
-    let has: Vec<String> = has.iter().map(paths).collect();
-    let needs: Vec<&str> = needs.iter().map(|(path, _)| path.as_str()).collect();
-    if has == needs {
+    let has = || has.iter().map(|(path, _)| path.as_str());
+    let needs = || needs.iter().map(|(path, _)| path.as_str());
+    if has().eq(needs()) {
         return None;
     }
-    let known: BTreeSet<&str> = has.iter().map(String::as_str).collect();
-    let needed: BTreeSet<&str> = needs.iter().copied().collect();
-    let extra = has.iter().map(String::as_str).find(|path| !needed.contains(path));
-    let missing = needs.iter().copied().find(|path| !known.contains(path));
+    let (known, needed): (BTreeSet<&str>, BTreeSet<&str>) = (has().collect(), needs().collect());
+    let extra = has().find(|path| !needed.contains(path));
+    let missing = needs().find(|path| !known.contains(path));
     let (path, others) = match (extra, missing) {
         (Some(extra), _) => (extra, &needed),
         (None, Some(missing)) => (missing, &known),

@@ -2,7 +2,7 @@
 //! stated latency could be wrong.
 
 use super::{Design, Instance, Module, Node, NodeId, Op, Register};
-use crate::graph::{Edges, components, is_cyclic};
+use crate::graph::Graph;
 use std::fmt;
 
 /// The clocks from every input of a module to every output that depends on it, except through enables: the number of
@@ -131,22 +131,22 @@ pub fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Delay> {
         return vec![Delay::Several; module.outputs.len()];
     }
     let count = module.nodes.len();
-    let edges = Edges::new(count, |node, push| operands(module, NodeId(node), &mut |id| push(id.0)));
+    let graph = Graph::new(count, |node, push| operands(module, NodeId(node), &mut |id| push(id.0)));
     let mut delays = vec![Delay::Nothing; count];
     for input in &module.inputs {
         delays[input.node.0 as usize] = Delay::Clocks { clocks: 0, gate: Gate::Always };
     }
-    components(&edges, |component| {
-        let own = match is_cyclic(&edges, component) {
+    for component in graph.components() {
+        let own = match graph.is_cyclic(component) {
             // A value that depends on itself accumulates, even if only the number of enabled clocks.
             true => {
-                let operands = component.iter().flat_map(|node| edges.of(*node));
+                let operands = component.iter().flat_map(|node| graph.of(*node));
                 operands.fold(Delay::Nothing, |all, of| all.or(delays[*of as usize].remembered()))
             }
             false => delay(module, children, &delays, NodeId(component[0])),
         };
         component.iter().for_each(|node| delays[*node as usize] = own);
-    });
+    }
     module.outputs.iter().map(|output| delays[output.node.0 as usize]).collect()
 }
 

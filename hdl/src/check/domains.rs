@@ -19,8 +19,9 @@ pub(crate) fn check(
     if draft.clocks.len() < 2 {
         return Vec::new();
     }
-    let sets = summary::clock_sets(draft, summaries, View::Inside);
-    let inputs = summary::timed_input_sets(draft, summaries);
+    let timed = summary::timed(draft, summaries);
+    let sets = summary::clock_sets(draft, summaries, View::Inside, &timed);
+    let inputs = summary::input_sets(draft, &timed);
     let mut checker = Checker { draft, summaries, sets, inputs, without_clock: BTreeSet::new(), problems };
     for register in &draft.registers {
         let name = draft.describe(register.node);

@@ -19,10 +19,10 @@ enum Object {
 /// stay as they are, for the check to report.
 pub(super) fn number(draft: &mut Draft, outputs: &[(NodeId, String)], ports: &BTreeSet<String>) {
     let objects = objects(draft, outputs);
-    let asked: HashSet<String> = objects.keys().chain(ports).cloned().collect();
+    let is_asked = |name: &str| objects.contains_key(name) || ports.contains(name);
     let mut renamed = Vec::new();
     for (name, objects) in &objects {
-        let is_port = ports.contains(name);
+        let is_port = ports.contains(*name);
         if (objects.len() == 1 && !is_port) || !is_one_place(draft, objects) {
             continue;
         }
@@ -30,20 +30,17 @@ pub(super) fn number(draft: &mut Draft, outputs: &[(NodeId, String)], ports: &BT
             continue;
         }
         let first = usize::from(!is_port);
-        let mut free = (1..).map(|number| format!("{name}_{number}")).filter(|name| !asked.contains(name));
+        let mut free = (1..).map(|number| format!("{name}_{number}")).filter(|name| !is_asked(name));
         renamed.extend(objects[first..].iter().map(|object| (*object, free.next().expect("endless"))));
     }
     renamed.into_iter().for_each(|(object, name)| object.rename(draft, name));
 }
 
 /// The named objects inside of the module, by their names. A net that is the output of its name is not among them.
-fn objects(draft: &Draft, outputs: &[(NodeId, String)]) -> BTreeMap<String, Vec<Object>> {
+fn objects<'a>(draft: &'a Draft, outputs: &[(NodeId, String)]) -> BTreeMap<&'a str, Vec<Object>> {
     let outputs: HashSet<(NodeId, &str)> = outputs.iter().map(|(node, name)| (*node, name.as_str())).collect();
-    let mut objects: BTreeMap<String, Vec<Object>> = BTreeMap::new();
-    let mut add = |name: &str, object| match objects.get_mut(name) {
-        Some(known) => known.push(object),
-        None => drop(objects.insert(name.to_owned(), vec![object])),
-    };
+    let mut objects: BTreeMap<&str, Vec<Object>> = BTreeMap::new();
+    let mut add = |name, object| objects.entry(name).or_default().push(object);
     for (i, node) in draft.nodes.iter().enumerate() {
         let id = NodeId(i as u32);
         let name = node.name.as_deref().filter(|_| !matches!(node.op, Op::Input(_)));

@@ -4,7 +4,7 @@ use crate::draft::Draft;
 use crate::stages::Stage;
 use crate::summary::{self, Summary};
 use std::collections::BTreeSet;
-use tilewright_circuit::graph::{Edges, cyclic_components, targets_first};
+use tilewright_circuit::graph::Graph;
 use tilewright_circuit::ir::{NodeId, Op};
 use tilewright_circuit::{Loc, Mistake, Problem};
 
@@ -21,11 +21,11 @@ pub(crate) fn check(draft: &Draft, summaries: &[Summary], problems: &mut Vec<Pro
     }
     let flow = Flow::new(draft, summaries);
     let mut stages: Vec<Vec<Of>> = vec![Vec::new(); draft.nodes.len()];
-    for node in targets_first(&flow.edges) {
+    for node in flow.graph.targets_first() {
         let id = NodeId(node);
         let own = draft.pipelines.held.get(&id).map_or(&[][..], Vec::as_slice);
         let mut met = Met::default();
-        for &operand in flow.edges.of(node) {
+        for &operand in flow.graph.of(node) {
             let of = stages[operand as usize].iter().copied();
             met.add(of.filter_map(|of| flow.after(id, of)));
         }
@@ -42,13 +42,13 @@ pub(crate) fn check(draft: &Draft, summaries: &[Summary], problems: &mut Vec<Pro
 /// The sources of values: in the same clock, or through a delay of one stage.
 struct Flow<'a> {
     draft: &'a Draft,
-    edges: Edges,
+    graph: Graph,
 }
 
 impl Flow<'_> {
     fn new<'a>(draft: &'a Draft, summaries: &[Summary]) -> Flow<'a> {
-        let edges = |looped: &BTreeSet<u32>| {
-            Edges::new(draft.nodes.len(), |node, push| {
+        let graph = |looped: &BTreeSet<u32>| {
+            Graph::new(draft.nodes.len(), |node, push| {
                 if draft.pipelines.any_stage.contains(&NodeId(node)) {
                     return;
                 }
@@ -59,8 +59,8 @@ impl Flow<'_> {
             })
         };
         // A value that depends on itself is stored state, not a stage.
-        let looped = cyclic_components(&edges(&BTreeSet::new())).into_iter().flatten().collect();
-        Flow { draft, edges: edges(&looped) }
+        let looped = graph(&BTreeSet::new()).cyclic_components().into_iter().flatten().collect();
+        Flow { draft, graph: graph(&looped) }
     }
 
     /// The stage of a value after `node`; `None` if the node delays it differently than the pipeline does.

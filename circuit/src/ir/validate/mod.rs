@@ -92,9 +92,10 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// An object of this module for messages, such as `counter.count`.
-    fn of(&self, name: &str) -> String {
-        format!("`{}.{name}`", self.module.name)
+    /// An object of this module for messages, such as `counter.count`; most are never printed.
+    fn of<N: fmt::Display>(&self, name: N) -> impl fmt::Display + use<'a, N> {
+        let module = &self.module.name;
+        fmt::from_fn(move |f| write!(f, "`{module}.{name}`"))
     }
 
     /// A node for messages.
@@ -103,7 +104,7 @@ impl<'a> Rules<'a> {
     }
 
     /// Checks that `role` of `owner`, node `id`, exists and meets the requirements.
-    fn refers(&mut self, loc: Loc, role: &str, owner: &dyn fmt::Display, id: NodeId, needs: Needs) {
+    fn refers(&mut self, loc: Loc, role: impl fmt::Display, owner: &dyn fmt::Display, id: NodeId, needs: Needs) {
         let Some(node) = self.module.nodes.get(id.0 as usize) else {
             let count = self.module.nodes.len();
             return self.report(loc, format!("{role} of {owner} is node {} of {count}", id.0));
@@ -124,7 +125,14 @@ impl<'a> Rules<'a> {
     }
 
     /// Like [`Rules::refers`], for a node that has this shape or is plain.
-    fn refers_or_plain(&mut self, loc: Loc, role: &str, owner: &dyn fmt::Display, id: NodeId, needs: Needs) {
+    fn refers_or_plain(
+        &mut self,
+        loc: Loc,
+        role: impl fmt::Display,
+        owner: &dyn fmt::Display,
+        id: NodeId,
+        needs: Needs,
+    ) {
         let is_plain = self.module.nodes.get(id.0 as usize).is_some_and(|node| node.shape.is_plain());
         let shape = if is_plain { Shape::Plain } else { needs.shape };
         self.refers(loc, role, owner, id, Needs { shape, ..needs });

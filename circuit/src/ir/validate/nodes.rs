@@ -7,6 +7,7 @@ use crate::loc::Loc;
 use crate::names::bits_text;
 use crate::names::is_legal;
 use std::collections::HashSet;
+use std::fmt;
 
 impl Rules<'_> {
     pub(super) fn nodes(&mut self) {
@@ -49,21 +50,21 @@ impl Rules<'_> {
         match &node.op {
             Op::Input(port) => {
                 let there = module.inputs.get(*port as usize).map(|input| input.node);
-                self.linked(id, node, there, &format!("input {port}"));
+                self.linked(id, node, there, &format_args!("input {port}"));
             }
             Op::Register(RegisterId(register)) => {
                 let there = module.registers.get(*register as usize).map(|register| register.node);
-                self.linked(id, node, there, &format!("register {register}"));
+                self.linked(id, node, there, &format_args!("register {register}"));
             }
             Op::Read(memory, port) => {
                 let memory_there = module.memories.get(memory.0 as usize);
                 let there = memory_there.and_then(|memory| memory.reads.get(*port as usize)).map(|read| read.node);
-                self.linked(id, node, there, &format!("read port {port} of memory {}", memory.0));
+                self.linked(id, node, there, &format_args!("read port {port} of memory {}", memory.0));
             }
             Op::Output(InstanceId(instance), port) => {
                 let instance_there = module.instances.get(*instance as usize);
                 let there = instance_there.and_then(|instance| instance.outputs.get(*port as usize)).copied();
-                self.linked(id, node, there, &format!("output {port} of instance {instance}"));
+                self.linked(id, node, there, &format_args!("output {port} of instance {instance}"));
             }
             Op::Const(bits) => self.has_width(node, owner, bits.width().into(), "its constant has"),
             Op::Unary(Unary::Not, a) => self.refers(loc, "the operand", &owner, *a, same),
@@ -140,7 +141,7 @@ impl Rules<'_> {
     }
 
     /// Checks that the object that a node refers to refers back to the node.
-    fn linked(&mut self, id: NodeId, node: &Node, there: Option<NodeId>, what: &str) {
+    fn linked(&mut self, id: NodeId, node: &Node, there: Option<NodeId>, what: &dyn fmt::Display) {
         let owner = self.node(id);
         match there {
             None => self.report(node.loc, format!("{owner} is {what}, which does not exist")),

@@ -27,7 +27,8 @@ impl<'a> Rules<'a> {
 
     pub(super) fn registers(&mut self) {
         for (index, register) in (0..).zip(&self.module.registers) {
-            let owner = self.of(&format!("register {index}"));
+            let name = format_args!("register {index}");
+            let owner = self.of(name);
             let op = Op::Register(RegisterId(index));
             let Some(node) = self.is_node(self.module.loc, &owner, register.node, &op) else { continue };
             let &Node { width, shape, loc, .. } = node;
@@ -64,12 +65,12 @@ impl<'a> Rules<'a> {
                 format!("memory {owner} has words of {}, not 1 to {WIDEST}", bits_text(memory.width))
             });
             self.contents(memory, &owner);
-            self.attributes(&memory.attributes, loc, &format!("memory {owner}"));
+            self.attributes(&memory.attributes, loc, &format_args!("memory {owner}"));
             self.rule(memory.shape.lanes() > 0, loc, || format!("memory {owner} needs at least 1 lane"));
             let address = Needs::of(index_width(memory.depth.into()), memory.shape);
             let (bit, word) = (Needs::of(1, memory.shape), Needs::of(memory.width, memory.shape));
             for (port, read) in (0..).zip(&memory.reads) {
-                let owner = format!("read port {port} of {owner}");
+                let owner = format_args!("read port {port} of {owner}");
                 if self.is_node(loc, &owner, read.node, &Op::Read(index, port)).is_some() {
                     self.refers(loc, "the data", &owner, read.node, word);
                 }
@@ -84,7 +85,7 @@ impl<'a> Rules<'a> {
                 }
             }
             for (port, write) in memory.writes.iter().enumerate() {
-                let owner = format!("write port {port} of {owner}");
+                let owner = format_args!("write port {port} of {owner}");
                 self.clock(loc, &owner, write.clock);
                 self.refers_or_plain(loc, "the enable", &owner, write.enable, bit);
                 self.refers_or_plain(loc, "the address", &owner, write.address, address);
@@ -110,7 +111,7 @@ impl<'a> Rules<'a> {
         }
     }
 
-    fn contents(&mut self, memory: &Memory, owner: &str) {
+    fn contents(&mut self, memory: &Memory, owner: &dyn fmt::Display) {
         let loc = memory.loc;
         let lanes: Vec<&[Bits]> = match &memory.contents {
             Contents::Unknown => Vec::new(),
@@ -135,7 +136,7 @@ impl<'a> Rules<'a> {
 
     pub(super) fn properties(&mut self) {
         for property in &self.module.properties {
-            let owner = format!("a property of `{}`", self.module.name);
+            let owner = format_args!("a property of `{}`", self.module.name);
             self.clock(property.loc, &owner, property.clock);
             let shape = self.module.nodes.get(property.condition.0 as usize).map_or(Shape::Plain, |node| node.shape);
             self.refers(property.loc, "the condition", &owner, property.condition, Needs::of(1, shape));

@@ -5,6 +5,7 @@ use crate::ir::{Instance, InstanceId, Kind, Module, Node, NodeId, Op, Shape};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
 use crate::problem::Problem;
+use std::fmt;
 
 /// Checks that every clock of the top module has a period, because no parent drives it.
 pub(super) fn top(modules: &[Module], problems: &mut Vec<Problem>) {
@@ -71,7 +72,7 @@ impl Rules<'_> {
 
     /// Checks that a port's lanes side by side are no wider than a plain value may be, because they are printed that
     /// way.
-    fn packed_width(&mut self, loc: Loc, owner: &str, node: &Node) {
+    fn packed_width(&mut self, loc: Loc, owner: &dyn fmt::Display, node: &Node) {
         let width = u64::from(node.width) * u64::from(node.shape.lanes());
         self.rule(node.shape.is_plain() || width <= WIDEST.into(), loc, || {
             format!("port {owner} has {width} bits in its {}, more than {WIDEST}", node.shape)
@@ -79,7 +80,14 @@ impl Rules<'_> {
     }
 
     /// The requirements, in an instance, on a port of the child whose node is `node`, if they can be met.
-    fn port(&mut self, instance: &Instance, child: &Module, name: &str, node: NodeId, owner: &str) -> Option<Needs> {
+    fn port(
+        &mut self,
+        instance: &Instance,
+        child: &Module,
+        name: &str,
+        node: NodeId,
+        owner: &dyn fmt::Display,
+    ) -> Option<Needs> {
         // A missing node is the child's problem.
         let node = child.nodes.get(node.0 as usize)?;
         let shape = instance.shape.beside(node.shape);
@@ -90,7 +98,7 @@ impl Rules<'_> {
         shape.map(|shape| Needs::of(node.width, shape))
     }
 
-    fn instance(&mut self, id: InstanceId, instance: &Instance, child: &Module, owner: &String) {
+    fn instance(&mut self, id: InstanceId, instance: &Instance, child: &Module, owner: &dyn fmt::Display) {
         let loc = instance.loc;
         let mut as_many = |what: &str, has: usize, needs: usize| {
             self.rule(has == needs, loc, || {
@@ -102,15 +110,15 @@ impl Rules<'_> {
         as_many("clocks", instance.clocks.len(), child.clocks.len());
         for (port, driver) in child.inputs.iter().zip(&instance.inputs) {
             if let Some(needs) = self.port(instance, child, &port.name, port.node, owner) {
-                self.refers(loc, &format!("input `{}`", port.name), owner, *driver, needs);
+                self.refers(loc, format_args!("input `{}`", port.name), owner, *driver, needs);
             }
         }
         for ((index, port), node) in (0..).zip(&child.outputs).zip(&instance.outputs) {
-            let name = format!("output `{}` of {owner}", port.name);
+            let name = format_args!("output `{}` of {owner}", port.name);
             if self.is_node(loc, &name, *node, &Op::Output(id, index)).is_some()
                 && let Some(needs) = self.port(instance, child, &port.name, port.node, owner)
             {
-                self.refers(loc, &format!("output `{}`", port.name), owner, *node, needs);
+                self.refers(loc, format_args!("output `{}`", port.name), owner, *node, needs);
             }
         }
         for (clock, driver) in child.clocks.iter().zip(&instance.clocks) {
