@@ -79,6 +79,8 @@ pub(crate) struct Started {
     /// The engine, if it is the compiled one. It is stored apart from the others because a testbench calls it in
     /// every cycle, in less time than a dynamic dispatch would take.
     compiled: OnceCell<Box<Compiled>>,
+    /// The engine, if it is the interpreter.
+    interpreter: OnceCell<Box<interpreter::Engine>>,
     /// The engine, if it is any other one.
     other: OnceCell<Box<dyn Engine>>,
     /// How long the interpreter runs before code takes over, if it does.
@@ -106,8 +108,8 @@ impl Started {
             (EngineKind::Tiered, None) => Early::of(&program, edges),
             _ => Early::default(),
         };
-        let (compiled, other) = (OnceCell::new(), OnceCell::new());
-        Started { program, chosen, refused, beginning, code, compiled, other, early, rows: Vec::new() }
+        let (compiled, interpreter, other) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Started { program, chosen, refused, beginning, code, compiled, interpreter, other, early, rows: Vec::new() }
     }
 
     /// The circuit at its start, with another engine or another beginning.
@@ -181,7 +183,7 @@ impl Started {
     /// Replaces the engine.
     #[cfg(test)]
     pub fn replace(&mut self, engine: Box<dyn Engine>) {
-        self.compiled = OnceCell::new();
+        (self.compiled, self.interpreter) = (OnceCell::new(), OnceCell::new());
         self.other = OnceCell::from(engine);
     }
 
@@ -194,18 +196,20 @@ impl Started {
             EngineKind::Tiered if self.early.is_over() => EngineKind::Compiled,
             kind => kind,
         };
-        let other: Box<dyn Engine> = match first {
+        match first {
             EngineKind::Compiled => {
                 self.compiled.get_or_init(|| self.with_code());
-                return;
             }
-            EngineKind::Reference => Box::new(reference()),
             EngineKind::Interpreter | EngineKind::Tiered => {
-                Box::new(interpreter::Engine::new(program(), &self.beginning))
+                self.interpreter.get_or_init(|| Box::new(interpreter::Engine::new(program(), &self.beginning)));
             }
-            EngineKind::Both => Box::new(Lockstep::new(program(), reference(), self.with_code())),
-        };
-        self.other.get_or_init(|| other);
+            EngineKind::Reference => {
+                self.other.get_or_init(|| Box::new(reference()));
+            }
+            EngineKind::Both => {
+                self.other.get_or_init(|| Box::new(Lockstep::new(program(), reference(), self.with_code())));
+            }
+        }
     }
 
     fn with_code(&self) -> Box<Compiled> {
@@ -213,7 +217,7 @@ impl Started {
     }
 
     fn is_made(&self) -> bool {
-        self.compiled.get().is_some() || self.other.get().is_some()
+        self.compiled.get().is_some() || self.interpreter.get().is_some() || self.other.get().is_some()
     }
 }
 
@@ -224,9 +228,10 @@ impl Deref for Started {
         if !self.is_made() {
             self.begin();
         }
-        match self.compiled.get() {
-            Some(engine) => &**engine,
-            None => &**self.other.get().expect("it is made by now"),
+        match (self.compiled.get(), self.interpreter.get()) {
+            (Some(code), _) => &**code,
+            (None, Some(interpreter)) => &**interpreter,
+            (None, None) => &**self.other.get().expect("it is made by now"),
         }
     }
 }
@@ -237,9 +242,10 @@ impl DerefMut for Started {
         if !self.is_made() {
             self.begin();
         }
-        match self.compiled.get_mut() {
-            Some(engine) => &mut **engine,
-            None => &mut **self.other.get_mut().expect("it is made by now"),
+        match (self.compiled.get_mut(), self.interpreter.get_mut()) {
+            (Some(code), _) => &mut **code,
+            (None, Some(interpreter)) => &mut **interpreter,
+            (None, None) => &mut **self.other.get_mut().expect("it is made by now"),
         }
     }
 }

@@ -23,10 +23,7 @@ pub(crate) struct Saved {
 impl Saved {
     /// The present state. It shares equal pages with an earlier one.
     pub fn of(program: &Program, engine: &mut dyn Engine, before: Option<&Saved>) -> Saved {
-        let mut values = Vec::new();
-        for (id, _) in states(program) {
-            values.extend_from_slice(engine.read(id));
-        }
+        let values = values(program, engine);
         let mut words = Vec::new();
         let memories = (0..program.memories.len() as u32).map(|index| {
             words.clear();
@@ -35,6 +32,11 @@ impl Saved {
         });
         let memories = memories.collect();
         Saved { values: pages(&values, before.map(|before| &before.values[..])), memories }
+    }
+
+    /// The present state but for the words of memories, which [`Engine::restore`] leaves alone then.
+    pub fn without_words(program: &Program, engine: &mut dyn Engine) -> Saved {
+        Saved { values: pages(&values(program, engine), None), memories: Vec::new() }
     }
 
     /// A state of these limbs: as many as [`Saved::limbs`] gives.
@@ -156,6 +158,15 @@ fn states(program: &Program) -> impl Iterator<Item = (ValueId, usize)> {
     let is_state = |(_, kind): &(_, &Kind)| **kind == Kind::State;
     let cells = program.circuit.cells().map(|(id, cell)| (id, &cell.kind)).filter(is_state);
     cells.map(|(id, _)| (id, program.circuit[id].lanes as usize * limbs_for(program.circuit[id].width)))
+}
+
+/// The present limbs of the inputs, registers and read data.
+fn values(program: &Program, engine: &mut dyn Engine) -> Vec<u64> {
+    let mut values = Vec::new();
+    for (id, _) in states(program) {
+        values.extend_from_slice(engine.read(id));
+    }
+    values
 }
 
 /// The number of limbs of a memory.

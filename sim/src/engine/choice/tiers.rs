@@ -5,7 +5,7 @@ use std::cell::Cell;
 use crate::engine::choice::Started;
 use crate::engine::program::{Program, ValueId};
 use crate::engine::until::Until;
-use crate::engine::{Difference, Done, Engine, Saved, state_limbs};
+use crate::engine::{Difference, Done, Engine};
 
 /// Making the code of a cell takes as long as the interpreter needs for this many limbs of results. This and what
 /// follows were fitted to the designs of `tilewright bench`: the first cycle, and the time of each.
@@ -13,9 +13,6 @@ const LIMBS_TO_COMPILE: usize = 30_000;
 
 /// An operation of the interpreter takes as long as this many limbs of its results, besides them.
 const LIMBS_TO_BEGIN: usize = 40;
-
-/// With more limbs of state for each cell, moving the state to the code would take longer than a quarter of making it.
-const LIMBS_TO_MOVE: usize = 1000;
 
 /// How long the interpreter runs.
 #[derive(Debug, Default)]
@@ -36,10 +33,7 @@ impl Early {
     /// Of a run of a program from its start: that number of edges, or as long as making code would take.
     pub fn of(program: &Program, given: Option<u64>) -> Early {
         let (cells, limbs) = (program.circuit.len().max(1), program.schedule.storage);
-        let worth = match state_limbs(program) > LIMBS_TO_MOVE * cells {
-            true => 0,
-            false => LIMBS_TO_COMPILE * cells / (LIMBS_TO_BEGIN * cells + limbs),
-        };
+        let worth = LIMBS_TO_COMPILE * cells / (LIMBS_TO_BEGIN * cells + limbs);
         let resets = vec![false; program.clocks.len()];
         Early { left: given.unwrap_or(worth as u64), given, resets, ..Early::default() }
     }
@@ -139,12 +133,11 @@ impl Started {
     fn make_code(&mut self) {
         let early = std::mem::take(&mut self.early);
         let mut code = self.with_code();
-        if let Some(mut interpreter) = self.other.take() {
-            let saved = Saved::of(&self.program, &mut *interpreter, None);
+        if let Some(mut interpreter) = self.interpreter.take() {
             for (clock, &high) in early.resets.iter().enumerate() {
                 code.set_reset(clock, high);
             }
-            code.restore(&self.program, &saved);
+            interpreter.hand_over(&mut *code);
         }
         early.watched.iter().for_each(|values| code.watch(values));
         self.rows = early.in_rows.iter().map(|values| code.take_in_rows(values)).collect();

@@ -3,7 +3,7 @@
 use tilewright_circuit::ir::ReadUnderWrite;
 
 use super::Engine;
-use super::memory::{address, word};
+use super::memory::address;
 use crate::engine::Failed;
 use crate::engine::program::{Program, Readers, Register, Triggers, ValueId};
 use crate::engine::start;
@@ -136,7 +136,7 @@ impl Engine {
                     out.fill(0);
                     continue;
                 };
-                out.copy_from_slice(&self.memories[index as usize][word(memory, lane, found)]);
+                out.copy_from_slice(self.memories[index as usize].word(lane, found));
                 let written = || {
                     memory.writes.iter().any(|write| {
                         rising.contains(&(write.clock as usize))

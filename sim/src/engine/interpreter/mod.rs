@@ -10,12 +10,11 @@ mod narrow;
 use std::ops::Range;
 use std::sync::Arc;
 
-use tilewright_circuit::limbs_for;
-
-use crate::engine::program::{Cell, Kind, Memory, Program, Readers, Triggers, ValueId};
+use crate::engine::program::{Cell, Kind, Program, Readers, Triggers, ValueId};
 use crate::engine::semantics::{self, Number};
 use crate::engine::start::{self, Beginning, State};
 use crate::engine::{self, Difference, Done, Failed, Saved};
+use memory::Words;
 
 /// The state of a running circuit.
 #[derive(Debug, Clone)]
@@ -23,8 +22,7 @@ pub(crate) struct Engine {
     program: Arc<Program>,
     /// Every value; [`Program::values`] has the places.
     limbs: Vec<u64>,
-    /// The words of every memory: lane by lane, address by address.
-    memories: Vec<Vec<u64>>,
+    memories: Vec<Words>,
     /// The changes since segments were last flagged as stale.
     pending: Triggers,
     /// For each segment: its results must be computed again before they are read.
@@ -49,7 +47,7 @@ impl Engine {
         }
         let mut engine = Engine {
             limbs,
-            memories: program.memories.iter().map(zeros).collect(),
+            memories: program.memories.iter().map(Words::zeros).collect(),
             pending: Triggers::NONE,
             stale: vec![true; program.schedule.segments.len()],
             narrow: program.circuit.cells().map(|(_, cell)| is_narrow(&program, cell)).collect(),
@@ -58,6 +56,7 @@ impl Engine {
             program,
         };
         start::start(&engine.program.clone(), beginning, &mut engine);
+        engine.memories.iter_mut().for_each(Words::begin);
         engine
     }
 
@@ -84,16 +83,24 @@ impl Engine {
 
     /// A word of a memory.
     pub fn word(&self, memory: u32, lane: u32, address: u32) -> &[u64] {
-        &self.memories[memory as usize][memory::word(&self.program.memories[memory as usize], lane, address)]
+        self.memories[memory as usize].word(lane, address)
     }
 
     /// Replaces a word of a memory.
     pub fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
-        let range = memory::word(&self.program.memories[memory as usize], lane, address);
-        self.memories[memory as usize][range].copy_from_slice(limbs);
+        self.memories[memory as usize].write(lane, address, limbs);
         let clocks = 0..self.program.clocks.len();
         self.pending = clocks.fold(self.pending, |all, clock| all.with(Triggers::state(clock)));
         self.stale.fill(true);
+    }
+
+    /// Brings an engine that is at its beginning to the present state.
+    pub fn hand_over(&mut self, to: &mut dyn engine::Engine) {
+        let program = self.program.clone();
+        to.restore(&program, &Saved::without_words(&program, self));
+        for (index, words) in (0..).zip(&self.memories) {
+            words.for_each_written(|lane, address, limbs| to.set_word(index, lane, address, limbs));
+        }
     }
 
     /// Flags what pending changes make stale.
@@ -166,19 +173,13 @@ impl State for Engine {
     }
 
     fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
-        let declared = &self.program.memories[memory as usize];
         let words = &mut self.memories[memory as usize];
         for lane in lanes {
-            let first = memory::word(declared, lane, addresses.start).start;
-            let words = &mut words[first..first + addresses.len() * limbs.len()];
-            words.chunks_exact_mut(limbs.len()).for_each(|word| word.copy_from_slice(limbs));
+            for address in addresses.clone() {
+                words.write(lane, address, limbs);
+            }
         }
     }
-}
-
-/// A memory full of zeros; the system provides only the pages that are written.
-fn zeros(memory: &Memory) -> Vec<u64> {
-    vec![0; memory.lanes as usize * memory.depth as usize * limbs_for(memory.width)]
 }
 
 /// Whether a value and all its operands have up to 64 bits.

@@ -27,7 +27,7 @@ pub(super) fn schedule(program: &mut Program) {
         }
     };
     let mut sorted: Vec<ValueId> = program.circuit.ids().filter(|id| kept[id.index()]).collect();
-    sorted.sort_by_key(|&id| place(id));
+    sorted.sort_by_cached_key(|&id| place(id));
     let mut number = vec![ValueId(u32::MAX); program.circuit.len()];
     sorted.iter().enumerate().for_each(|(new, old)| number[old.index()] = ValueId(new as u32));
     let mut circuit = Circuit::default();
