@@ -1,5 +1,7 @@
 //! The graph algorithms that the checks need, all iterative and in linear time.
 
+use std::collections::BTreeMap;
+
 /// A directed graph of `0..count`: the targets of all edges in one list, and the strongly connected components.
 pub struct Graph {
     edges: Lists,
@@ -164,6 +166,41 @@ fn components(edges: &Lists) -> Lists {
         }
     }
     found
+}
+
+/// Joined sets of `0..count`, each known by its first member.
+pub struct Union(Vec<usize>);
+
+impl Union {
+    /// Each number is a set of its own.
+    pub fn new(count: usize) -> Union {
+        Union((0..count).collect())
+    }
+
+    /// The first member of a number's set.
+    pub fn first(&mut self, mut member: usize) -> usize {
+        while self.0[member] != member {
+            self.0[member] = self.0[self.0[member]];
+            member = self.0[member];
+        }
+        member
+    }
+
+    /// Joins the sets of two numbers.
+    pub fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.first(a), self.first(b));
+        self.0[a.max(b)] = a.min(b);
+    }
+
+    /// All sets, by their first members.
+    pub fn sets(&mut self) -> Vec<Vec<usize>> {
+        let mut sets: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for member in 0..self.0.len() {
+            let first = self.first(member);
+            sets.entry(first).or_default().push(member);
+        }
+        sets.into_values().collect()
+    }
 }
 
 /// A set of small numbers for each vertex.

@@ -7,6 +7,7 @@
 use super::order::{for_each_read, operands_first};
 use super::plan::{Form, Plan};
 use std::collections::{BTreeMap, BTreeSet};
+use tilewright_circuit::graph::Union;
 use tilewright_circuit::ir::{Module, NodeId, Op, Shape};
 
 /// A `generate for`.
@@ -319,35 +320,4 @@ fn reachable(reads: &[BTreeSet<usize>], from: usize) -> BTreeSet<usize> {
         }
     }
     seen
-}
-
-/// Joined sets, each known by its first member.
-struct Union(Vec<usize>);
-
-impl Union {
-    fn new(count: usize) -> Union {
-        Union((0..count).collect())
-    }
-
-    fn find(&mut self, mut member: usize) -> usize {
-        while self.0[member] != member {
-            self.0[member] = self.0[self.0[member]];
-            member = self.0[member];
-        }
-        member
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.find(a), self.find(b));
-        self.0[a.max(b)] = a.min(b);
-    }
-
-    fn sets(mut self) -> Vec<Vec<usize>> {
-        let mut sets: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for member in 0..self.0.len() {
-            let first = self.find(member);
-            sets.entry(first).or_default().push(member);
-        }
-        sets.into_values().collect()
-    }
 }

@@ -4,6 +4,7 @@
 //! the borders, because that is done lane by lane.
 
 use rustc_hash::FxHashMap;
+use tilewright_circuit::graph::Union;
 use tilewright_circuit::ir::ReadUnderWrite;
 
 use super::making::{Making, Shifted, making, repeated, shifted};
@@ -31,15 +32,8 @@ pub(super) struct Choice {
 pub(super) fn choose(program: &Program) -> Choice {
     let mut groups = Groups::of(program);
     let mut choice = Choice::default();
-    let mut members: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
-    for node in 0..groups.above.len() {
-        if groups.is_packable[node] {
-            let group = groups.root(node);
-            members.entry(group).or_default().push(node);
-        }
-    }
-    let mut members: Vec<Vec<usize>> = members.into_values().collect();
-    members.sort();
+    let mut members = groups.union.sets();
+    members.retain(|nodes| groups.is_packable[nodes[0]]);
     // Unchanged values must be packed for their users, which may cost the users too much.
     loop {
         let (packed, apart): (Vec<_>, Vec<_>) = members.into_iter().partition(|nodes| groups.best(nodes).is_some());
@@ -66,8 +60,8 @@ struct Groups<'a> {
     program: &'a Program,
     /// For each value and memory: it can be packed.
     is_packable: Vec<bool>,
-    /// For each value and memory: another one of its group, nearer to its root.
-    above: Vec<usize>,
+    /// The values and memories of each group.
+    union: Union,
     /// For each value: an edge needs it.
     is_needed: Vec<bool>,
     /// For each value that can be packed: the needed values that use it; itself, if the user is not a value.
@@ -80,7 +74,7 @@ impl<'a> Groups<'a> {
         let mut groups = Groups {
             program,
             is_packable: packable(program),
-            above: (0..count + program.memories.len()).collect(),
+            union: Union::new(count + program.memories.len()),
             is_needed: vec![false; count],
             takers: vec![Vec::new(); count],
         };
@@ -98,20 +92,10 @@ impl<'a> Groups<'a> {
         self.program.circuit.len() + memory as usize
     }
 
-    fn root(&mut self, mut node: usize) -> usize {
-        while self.above[node] != node {
-            // Path halving.
-            self.above[node] = self.above[self.above[node]];
-            node = self.above[node];
-        }
-        node
-    }
-
     /// Merges the groups of two values or memories, if both can be packed.
     fn join(&mut self, a: usize, b: usize) {
         if self.is_packable[a] && self.is_packable[b] {
-            let (a, b) = (self.root(a), self.root(b));
-            self.above[a.max(b)] = a.min(b);
+            self.union.join(a, b);
         }
     }
 

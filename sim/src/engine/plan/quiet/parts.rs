@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
+use tilewright_circuit::graph::Union;
 
 use super::stays::Holds;
 use crate::engine::function::{Function, Sink};
@@ -48,35 +49,108 @@ impl Part {
     }
 }
 
-/// The independent parts of a loop.
+/// The independent parts of a loop: a value that several would need is computed once, unless it costs nothing.
 pub(super) fn parts(function: &Function, plan: &Plan, kernel: &Kernel) -> Vec<Part> {
-    let inside: FxHashSet<ValueId> = kernel.cells.iter().copied().collect();
-    let mut open: Vec<Part> = Vec::new();
-    let mut add = |mut part: Part| {
-        // A value that several loops need is computed once, unless it costs nothing.
-        let (common, others) = open.drain(..).partition(|other: &Part| !other.cells.is_disjoint(&part.cells));
-        open = others;
-        let common: Vec<Part> = common;
-        common.into_iter().for_each(|other| part.join(other));
-        open.push(part);
-    };
-    for &index in &kernel.sinks {
-        let sink = &function.sinks[index];
-        let mut part = Part { sinks: BTreeSet::from([index]), ..Part::default() };
-        match *sink {
-            Sink::Register { state, .. } => part.writes.extend([state]),
-            Sink::Write { memory, .. } => part.written.extend([(memory, BTreeSet::from([index]))]),
-            _ => {}
+    let members = Members::of(function, plan, kernel);
+    let roots: Vec<usize> = members.roots().collect();
+    let (mut union, mut is_needed) = (Union::new(members.count()), vec![false; members.count()]);
+    roots.iter().for_each(|&root| is_needed[root] = true);
+    // Each member comes after what it uses.
+    for member in (0..members.count()).rev() {
+        if is_needed[member] {
+            members.for_each_used(member, |used| {
+                is_needed[used] = true;
+                union.join(member, used);
+            });
         }
-        sink.for_each_operand(|operand| part.take(function, plan, &inside, operand));
-        add(part);
     }
-    for &id in kernel.cells.iter().filter(|id| plan.live_out.contains(id)) {
-        let mut part = Part::default();
-        part.take(function, plan, &inside, id);
-        add(part);
+    let mut last = vec![0; members.count()];
+    roots.iter().enumerate().for_each(|(rank, &root)| last[union.first(root)] = rank);
+    let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
+    for member in (0..members.count()).filter(|&member| is_needed[member]) {
+        members.put(member, parts.entry(last[union.first(member)]).or_default());
     }
-    open
+    parts.into_values().collect()
+}
+
+/// The cells of a loop, and after them its sinks.
+struct Members<'a> {
+    function: &'a Function,
+    plan: &'a Plan,
+    kernel: &'a Kernel,
+    /// For each cell, which one it is.
+    places: FxHashMap<ValueId, usize>,
+}
+
+impl Members<'_> {
+    fn of<'a>(function: &'a Function, plan: &'a Plan, kernel: &'a Kernel) -> Members<'a> {
+        let places = kernel.cells.iter().enumerate().map(|(place, id)| (*id, place)).collect();
+        Members { function, plan, kernel, places }
+    }
+
+    fn count(&self) -> usize {
+        self.kernel.cells.len() + self.kernel.sinks.len()
+    }
+
+    /// Those for which the others are computed: sinks, and values for other loops.
+    fn roots(&self) -> impl Iterator<Item = usize> {
+        let cells = &self.kernel.cells;
+        let values = (0..cells.len()).filter(|&place| self.plan.live_out.contains(&cells[place]));
+        (cells.len()..self.count()).chain(values)
+    }
+
+    /// Calls `visit` with each operand, or with what it repeats in other lanes if that costs nothing.
+    fn for_each_operand(&self, member: usize, mut visit: impl FnMut(ValueId)) {
+        let mut visit = |mut id: ValueId| {
+            while let Kind::Broadcast { of, .. } = self.function.cell(id).kind
+                && self.places.contains_key(&id)
+                && !self.plan.live_out.contains(&id)
+            {
+                id = of;
+            }
+            visit(id);
+        };
+        match self.kernel.cells.get(member) {
+            Some(&id) => self.function.cell(id).kind.for_each_operand(&mut visit),
+            None => self.function.sinks[self.sink(member)].for_each_operand(&mut visit),
+        }
+    }
+
+    /// Calls `visit` with each member that is an operand of this one.
+    fn for_each_used(&self, member: usize, mut visit: impl FnMut(usize)) {
+        self.for_each_operand(member, |id| self.places.get(&id).into_iter().for_each(|&place| visit(place)));
+    }
+
+    /// The index of a sink in the function.
+    fn sink(&self, member: usize) -> usize {
+        self.kernel.sinks[member - self.kernel.cells.len()]
+    }
+
+    /// Puts a member into a part.
+    fn put(&self, member: usize, part: &mut Part) {
+        match self.kernel.cells.get(member) {
+            Some(&id) => {
+                part.cells.insert(id);
+                if let Kind::Lowered(Lowered::Word { memory, .. }) = self.function.cell(id).kind {
+                    part.words.insert(memory);
+                }
+            }
+            None => {
+                let index = self.sink(member);
+                part.sinks.insert(index);
+                match self.function.sinks[index] {
+                    Sink::Register { state, .. } => drop(part.writes.insert(state)),
+                    Sink::Write { memory, .. } => drop(part.written.entry(memory).or_default().insert(index)),
+                    _ => {}
+                }
+            }
+        }
+        self.for_each_operand(member, |id| {
+            if matches!(self.function.cell(id).kind, Kind::State) {
+                part.reads.insert(id);
+            }
+        });
+    }
 }
 
 impl Part {
@@ -102,28 +176,6 @@ impl Part {
                 Kernel { switch: Some(Box::new(Switch { subject, kernels, table: vec![0, 1] })), ..kernel }
             }
             Holds::Never | Holds::Always => kernel,
-        }
-    }
-
-    /// Adds a value, with everything that the loop computes for it.
-    fn take(&mut self, function: &Function, plan: &Plan, inside: &FxHashSet<ValueId>, id: ValueId) {
-        let mut open = vec![id];
-        let mut seen = FxHashSet::default();
-        while let Some(id) = open.pop() {
-            let kind = &function.cell(id).kind;
-            if *kind == Kind::State {
-                self.reads.insert(id);
-            }
-            if !inside.contains(&id) || !seen.insert(id) {
-                continue;
-            }
-            if plan.live_out.contains(&id) || !matches!(kind, Kind::Broadcast { .. }) {
-                self.cells.insert(id);
-            }
-            if let Kind::Lowered(Lowered::Word { memory, .. }) = kind {
-                self.words.insert(*memory);
-            }
-            kind.for_each_operand(|operand| open.push(operand));
         }
     }
 }
