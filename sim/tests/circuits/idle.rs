@@ -7,8 +7,8 @@ use tilewright_sim::{EngineKind, Passes, Simulation, Target};
 use crate::circuits::random::{Again, Random, campaign};
 
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
-const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
-const LATE: Clock = Clock::new("late", Period::ps(5_000));
+const SLOW: Clock = Clock::new("slow", Period::ps(3_700));
+const LATE: Clock = Clock::new("late", Period::ps(5_300));
 
 block! {
     /// Works for some clocks when it is told to, on its own clock or by another one. It counts the clocks since then,
@@ -102,6 +102,10 @@ impl Machine {
     fn build(&self, m: Module, i: MachineIn) -> MachineOut {
         let mut random = Random::new(self.seed);
         let (slow, late) = (m.on(SLOW), m.on(LATE));
+        // The clock whose state the others read is the first one, or not.
+        if self.seed % 2 == 1 {
+            late.reg("begun", bit()).reset(0).next(1);
+        }
         let turns = slow.reg("turns", 12).reset(0);
         turns.next(turns + 1);
         let tick = slow.reg("tick", bit()).reset(0);
