@@ -192,10 +192,10 @@ impl Union {
         self.0[a.max(b)] = a.min(b);
     }
 
-    /// All sets, by their first members.
-    pub fn sets(&mut self) -> Vec<Vec<usize>> {
+    /// These members by their sets, in the sequence of the first members.
+    pub fn sets(&mut self, of: impl IntoIterator<Item = usize>) -> Vec<Vec<usize>> {
         let mut sets: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for member in 0..self.0.len() {
+        for member in of {
             let first = self.first(member);
             sets.entry(first).or_default().push(member);
         }

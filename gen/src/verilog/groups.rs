@@ -261,7 +261,7 @@ impl<'a> Items<'a> {
                 }
             }
         }
-        union.sets()
+        union.sets(0..self.all.len())
     }
 
     /// The sets, each after those that it reads. Sets of one shape that read each other are merged; those of

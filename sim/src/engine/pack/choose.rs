@@ -32,8 +32,8 @@ pub(super) struct Choice {
 pub(super) fn choose(program: &Program) -> Choice {
     let mut groups = Groups::of(program);
     let mut choice = Choice::default();
-    let mut members = groups.union.sets();
-    members.retain(|nodes| groups.is_packable[nodes[0]]);
+    let packable = (0..groups.is_packable.len()).filter(|&node| groups.is_packable[node]);
+    let mut members = groups.union.sets(packable);
     // Unchanged values must be packed for their users, which may cost the users too much.
     loop {
         let (packed, apart): (Vec<_>, Vec<_>) = members.into_iter().partition(|nodes| groups.best(nodes).is_some());
