@@ -3,11 +3,12 @@
 
 use std::time::Instant;
 
-use tilewright_hdl::{Block, Module, Signal, bits, block, bundle};
+use tilewright_hdl::{Block, Module, Signal, bits, block, bundle, row};
 use tilewright_sim::{EngineKind, Simulation};
 
 bundle! {
     struct In<T> { x: T }
+    struct Enabled<T> { enable: T, x: T }
     struct Out<T> { y: T }
 }
 
@@ -59,6 +60,27 @@ impl Lanes {
     }
 }
 
+block! {
+    /// Rows of 16 lanes, each with an enable of its own.
+    struct Rows {
+        rows: u32,
+    }
+    in(self) = Enabled { enable: bits(self.rows), x: bits(8) };
+    out(self) = Out { y: bits(8) };
+}
+
+impl Rows {
+    fn build(&self, m: Module, i: Enabled) -> Out {
+        let mut last = i.x.of(row(16));
+        for number in 0..self.rows {
+            let register = m.reg(&format!("r{number}"), bits(8).of(row(16))).reset(0);
+            register.when(i.enable.bit(number), *register ^ last);
+            last = *register;
+        }
+        Out { y: last.xor_all() }
+    }
+}
+
 /// Milliseconds to describe a block, and from there to the first cycle on an engine; the best of three times.
 fn measure<B: Block>(block: &B, engine: EngineKind) -> [f64; 2] {
     let once = || {
@@ -90,6 +112,9 @@ fn main() {
             operations,
             &Lanes { lanes: 64, flat: Flat { operations, width: 16 } },
         );
+    }
+    for rows in [1000, 2000, 4000, 8000] {
+        print("rows of 16 lanes, each with an enable", rows, &Rows { rows });
     }
     for lanes in [16, 32, 64, 128] {
         print(

@@ -15,6 +15,7 @@ mod idle;
 mod in_bounds;
 mod instants;
 mod lanes_by_name;
+mod long_loops;
 mod looking;
 mod looking_on;
 mod many_operands;

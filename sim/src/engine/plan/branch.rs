@@ -1,7 +1,7 @@
 //! Branches around whole arrays: if one value selects for all lanes, each of its numbers gets a kernel with only the
 //! operations computed then.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tilewright_circuit::Bits;
@@ -11,7 +11,7 @@ use super::{Kernel, Plan, Switch};
 use crate::engine::Passes;
 use crate::engine::function::{Function, Sink, happening};
 use crate::engine::layout::strip_sizes::StripSizes;
-use crate::engine::program::{Cell, Circuit, Kind, ValueId};
+use crate::engine::program::{Cell, Kind, ValueId};
 
 /// The widest value that is branched on.
 const WIDEST: u32 = 6;
@@ -27,14 +27,14 @@ const MOST_BESIDE_VERSIONS: usize = 3000;
 
 /// Gives kernels branches if that pays.
 pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &StripSizes, passes: &Passes) {
-    let order = function.needed();
+    let dependents = Dependents::of(function);
     let mut stages = std::mem::take(&mut plan.stages);
     for (&lanes, kernel) in stages.iter_mut().flat_map(|stage| &mut stage.kernels) {
         let times = lanes.div_ceil(strips.strip(lanes)) as usize;
         kernel.for_each_leaf(&mut |kernel| {
             let versioned = Versioned::new(function, kernel, lanes, times, passes);
             let most = if versioned.is_some() { MOST_BESIDE_VERSIONS } else { MOST };
-            split(function, plan, &order, kernel, times, most, 4);
+            split(function, plan, &dependents, kernel, times, most, 4);
             if let Some(versioned) = versioned.filter(|_| has_choices(function, kernel)) {
                 kernel.versioned = Some(plan.versioned.len());
                 versioned.store_what_it_takes(function, plan);
@@ -50,7 +50,7 @@ pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &StripSiz
 fn split(
     function: &mut Function,
     plan: &mut Plan,
-    order: &[ValueId],
+    dependents: &Dependents,
     kernel: &mut Kernel,
     times: usize,
     most: usize,
@@ -60,7 +60,7 @@ fn split(
     let Some(subject) = (depth > 0).then(|| dominant(function, kernel)).flatten() else { return whole };
     let width = function.cell(subject).width;
     let (cells, sinks) = (function.circuit().len(), function.sinks.len());
-    let cone = cone(function.circuit(), order, &[subject]);
+    let cone = dependents.cone(&[subject]);
     function.rewriter.vary();
     let mut kernels: Vec<Kernel> = Vec::new();
     let mut moved = Vec::new();
@@ -91,8 +91,8 @@ fn split(
     let mut left = most - total;
     for variant in &mut kernels {
         let before = variant.cells.len() + variant.sinks.len();
-        left =
-            left.saturating_sub(split(function, plan, order, variant, times, left, depth - 1).saturating_sub(before));
+        left = left
+            .saturating_sub(split(function, plan, dependents, variant, times, left, depth - 1).saturating_sub(before));
     }
     kernel.switch = Some(Box::new(Switch { subject, kernels, table }));
     most - left
@@ -169,17 +169,38 @@ fn root(function: &Function, id: ValueId) -> Option<ValueId> {
     }
 }
 
-/// The scalars that depend on others, each after its operands.
-pub(crate) fn cone(circuit: &Circuit, order: &[ValueId], subjects: &[ValueId]) -> Vec<ValueId> {
-    let mut inside: FxHashSet<ValueId> = subjects.iter().copied().collect();
-    let depends = |id: &ValueId| {
-        let Cell { kind, lanes, .. } = &circuit[*id];
-        let mut depends = false;
-        kind.for_each_operand(|operand| depends |= inside.contains(&operand));
-        let depends = depends && *lanes == 1 && !subjects.contains(id);
-        depends && inside.insert(*id)
-    };
-    order.iter().copied().filter(depends).collect()
+/// The scalars that depend on others.
+pub(crate) struct Dependents {
+    /// All scalars, each after its operands.
+    scalars: Vec<ValueId>,
+    /// For each value, the places of the scalars that have it as an operand.
+    users: FxHashMap<ValueId, Vec<usize>>,
+}
+
+impl Dependents {
+    pub fn of(function: &Function) -> Dependents {
+        let scalars = function.needed().into_iter().filter(|id| function.cell(*id).lanes == 1);
+        let scalars: Vec<ValueId> = scalars.collect();
+        let mut users: FxHashMap<ValueId, Vec<usize>> = FxHashMap::default();
+        for (place, &id) in scalars.iter().enumerate() {
+            function.cell(id).kind.for_each_operand(|operand| users.entry(operand).or_default().push(place));
+        }
+        Dependents { scalars, users }
+    }
+
+    /// Those that depend on these subjects, each after its operands.
+    pub fn cone(&self, subjects: &[ValueId]) -> Vec<ValueId> {
+        let (mut open, mut cone) = (subjects.to_vec(), BTreeSet::new());
+        while let Some(id) = open.pop() {
+            for &place in self.users.get(&id).into_iter().flatten() {
+                let user = self.scalars[place];
+                if !subjects.contains(&user) && cone.insert(place) {
+                    open.push(user);
+                }
+            }
+        }
+        cone.into_iter().map(|place| self.scalars[place]).collect()
+    }
 }
 
 /// The known values if the subjects have certain numbers.

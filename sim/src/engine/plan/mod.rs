@@ -8,8 +8,10 @@
 pub(super) mod access;
 pub(super) mod branch;
 pub(super) mod clamp;
+mod divide;
 mod hazards;
 pub(super) mod nest;
+mod parts;
 pub(super) mod planned;
 pub(super) mod quiet;
 pub(super) mod sequence;

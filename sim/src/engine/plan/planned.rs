@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::sequence::{self, Step};
-use super::{branch, quiet};
+use super::{branch, divide, quiet};
 use crate::engine::function::{Became, Function};
 use crate::engine::function::{demands, lower};
 use crate::engine::layout::memory_at::MemoryAt;
@@ -26,6 +26,9 @@ pub(crate) enum Seen<'a> {
     Sequenced(&'a Function, &'a Plan, &'a [Vec<Step>]),
 }
 
+/// A loop may be this many times longer than a function of scalars.
+const LONG_LOOP: usize = 8;
+
 /// Plans a function.
 pub(crate) fn plan(
     function: &Function,
@@ -39,6 +42,7 @@ pub(crate) fn plan(
     look(Seen::Lowered(&function, &became));
     let far: Vec<bool> = memories.iter().map(|at| !at.words.together() && at.words.size > passes.near).collect();
     let mut plan = Plan::new(&function, &far, passes.postpone);
+    divide::divide(&function, &mut plan, passes.longest.saturating_mul(LONG_LOOP));
     look(Seen::Planned(&function, &plan));
     if passes.branch && passes.target != Target::Functions {
         quiet::quiet(&mut function, &mut plan, strips);

@@ -16,18 +16,18 @@
 //! lane has it. Loops that rest under the same condition stay together, and share a branch.
 
 mod flags;
-mod parts;
 mod stays;
 
 use std::collections::BTreeSet;
 
+use super::parts::{parts, places, together};
 use super::{Kernel, Plan, Stage};
 use crate::engine::function::Function;
 use crate::engine::layout::strip_sizes::StripSizes;
 use crate::engine::program::{Kind, ValueId};
 use flags::Flags;
-use parts::{parts, together};
-use stays::{Holds, Stays};
+pub(super) use stays::Holds;
+use stays::Stays;
 
 /// The least number of strip operations of a loop that is examined: for fewer, a branch saves little.
 const LEAST: usize = 256;
@@ -77,7 +77,8 @@ fn guard(
     (single, flags): (&mut Vec<ValueId>, &mut Flags),
 ) {
     let first = function.circuit().len();
-    let mut parts = parts(function, plan, kernel);
+    let places = places(kernel);
+    let mut parts = parts(function, plan, kernel, &places);
     let mut stays = Stays::new(function, plan, flags);
     for part in &mut parts {
         let may_rest = !part.cells.iter().any(|id| plan.live_out.contains(id));
@@ -99,7 +100,7 @@ fn guard(
         !matches!(kind, Kind::Const(_) | Kind::Reduce { .. })
     };
     single.extend(made.into_iter().filter(is_single));
-    let kernels = parts.iter().map(|part| part.kernel(function, kernel));
+    let kernels = parts.iter().map(|part| part.kernel(function, kernel, &places));
     let mut kernels: Vec<Kernel> = kernels.collect();
     match kernels.len() {
         _ if kernels.iter().all(|kernel| kernel.switch.is_none()) => {}

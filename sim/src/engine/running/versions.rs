@@ -19,7 +19,7 @@ use crate::engine::emit::{Addresses, Emitter};
 use crate::engine::function::Function;
 use crate::engine::layout::Surrounded;
 use crate::engine::layout::store::Store;
-use crate::engine::plan::branch::{self, Known};
+use crate::engine::plan::branch::{Dependents, Known};
 use crate::engine::plan::versioned::Versioned;
 use crate::engine::plan::{Kernel, Plan};
 use crate::engine::program::ValueId;
@@ -80,9 +80,9 @@ impl Versions {
         let (live_out, hazards, homes, versioned) =
             (live_out.clone(), hazards.clone(), homes.clone(), versioned.clone());
         let plan = Plan { stages: Vec::new(), live_out, hazards, homes, versioned };
-        let order = function.needed();
+        let dependents = Dependents::of(&function);
         let a_loop = |(versioned, &at): (&Versioned, &TableAt)| {
-            let cone = branch::cone(function.circuit(), &order, &versioned.subjects);
+            let cone = dependents.cone(&versioned.subjects);
             Loop { at, cone, seen: 0, counts: FxHashMap::default() }
         };
         let loops = plan.versioned.iter().zip(tables).map(a_loop).collect();

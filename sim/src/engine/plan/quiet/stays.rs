@@ -11,7 +11,7 @@ use crate::engine::program::{Axis, Cell, Kind, ValueId};
 
 /// A condition for a fact.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) enum Holds {
+pub(in crate::engine::plan) enum Holds {
     /// It is unknown.
     #[default]
     Never,

@@ -3,11 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use tilewright_circuit::graph::Union;
+use tilewright_circuit::graph::{Graph, Union};
 
-use super::stays::Holds;
+use super::quiet::Holds;
+use super::{Kernel, Plan, Switch};
 use crate::engine::function::{Function, Sink};
-use crate::engine::plan::{Kernel, Plan, Switch};
 use crate::engine::program::{Kind, Lowered, ValueId};
 
 /// The contents of a part of a loop.
@@ -27,7 +27,12 @@ pub(super) struct Part {
 }
 
 impl Part {
-    fn join(&mut self, other: Part) {
+    /// The number of its operations.
+    pub(super) fn weight(&self) -> usize {
+        self.cells.len() + self.sinks.len()
+    }
+
+    pub(super) fn join(&mut self, other: Part) {
         if self.stays != other.stays {
             self.stays = Holds::Never;
         }
@@ -38,20 +43,11 @@ impl Part {
         self.words.extend(other.words);
         other.written.into_iter().for_each(|(memory, sinks)| self.written.entry(memory).or_default().extend(sinks));
     }
-
-    /// Whether it must run before another part, because that one changes what it reads, or writes later to the same
-    /// memory.
-    fn is_before(&self, other: &Part) -> bool {
-        let is_later = |(memory, sinks): (&u32, &BTreeSet<usize>)| {
-            self.words.contains(memory) || self.written.get(memory).is_some_and(|own| own.first() < sinks.last())
-        };
-        !self.reads.is_disjoint(&other.writes) || other.written.iter().any(is_later)
-    }
 }
 
 /// The independent parts of a loop: a value that several would need is computed once, unless it costs nothing.
-pub(super) fn parts(function: &Function, plan: &Plan, kernel: &Kernel) -> Vec<Part> {
-    let members = Members::of(function, plan, kernel);
+pub(super) fn parts(function: &Function, plan: &Plan, kernel: &Kernel, places: &Places) -> Vec<Part> {
+    let members = Members { function, plan, kernel, places };
     let roots: Vec<usize> = members.roots().collect();
     let (mut union, mut is_needed) = (Union::new(members.count()), vec![false; members.count()]);
     roots.iter().for_each(|&root| is_needed[root] = true);
@@ -73,21 +69,22 @@ pub(super) fn parts(function: &Function, plan: &Plan, kernel: &Kernel) -> Vec<Pa
     parts.into_values().collect()
 }
 
+/// For each cell of a loop, which one it is.
+pub(super) type Places = FxHashMap<ValueId, usize>;
+
+pub(super) fn places(kernel: &Kernel) -> Places {
+    kernel.cells.iter().enumerate().map(|(place, id)| (*id, place)).collect()
+}
+
 /// The cells of a loop, and after them its sinks.
 struct Members<'a> {
     function: &'a Function,
     plan: &'a Plan,
     kernel: &'a Kernel,
-    /// For each cell, which one it is.
-    places: FxHashMap<ValueId, usize>,
+    places: &'a Places,
 }
 
 impl Members<'_> {
-    fn of<'a>(function: &'a Function, plan: &'a Plan, kernel: &'a Kernel) -> Members<'a> {
-        let places = kernel.cells.iter().enumerate().map(|(place, id)| (*id, place)).collect();
-        Members { function, plan, kernel, places }
-    }
-
     fn count(&self) -> usize {
         self.kernel.cells.len() + self.kernel.sinks.len()
     }
@@ -155,18 +152,19 @@ impl Members<'_> {
 
 impl Part {
     /// The loop of it, or nothing where it rests.
-    pub(super) fn kernel(&self, function: &Function, of: &Kernel) -> Kernel {
-        let mut cells = self.cells.clone();
+    pub(super) fn kernel(&self, function: &Function, of: &Kernel, places: &Places) -> Kernel {
+        let mut open: Vec<ValueId> = self.cells.iter().copied().collect();
+        self.sinks.iter().for_each(|&sink| function.sinks[sink].for_each_operand(|operand| open.push(operand)));
+        let mut cells = BTreeSet::new();
         // A value that costs nothing is computed wherever it is used.
-        for &id in of.cells.iter().rev() {
-            if cells.contains(&id) {
-                function.cell(id).kind.for_each_operand(|operand| cells.extend([operand]));
+        while let Some(id) = open.pop() {
+            if places.get(&id).is_some_and(|&place| cells.insert(place)) {
+                function.cell(id).kind.for_each_operand(|operand| open.push(operand));
             }
         }
-        self.sinks.iter().for_each(|&sink| function.sinks[sink].for_each_operand(|operand| cells.extend([operand])));
         let kernel = Kernel {
-            cells: of.cells.iter().copied().filter(|id| cells.contains(id)).collect(),
-            sinks: of.sinks.iter().copied().filter(|sink| self.sinks.contains(sink)).collect(),
+            cells: cells.into_iter().map(|place| of.cells[place]).collect(),
+            sinks: self.sinks.iter().copied().collect(),
             descends: of.descends,
             ..Kernel::default()
         };
@@ -180,50 +178,70 @@ impl Part {
     }
 }
 
-/// Brings parts into sequence; those that must each precede the other are merged.
-fn ordered(mut open: Vec<Part>) -> Vec<Part> {
-    let mut order = Vec::new();
-    while !open.is_empty() {
-        let is_first = |index: &usize| {
-            let others = open.iter().enumerate().filter(|(other, _)| other != index);
-            !others.into_iter().any(|(_, other)| other.is_before(&open[*index]))
-        };
-        match (0..open.len()).find(is_first) {
-            Some(index) => order.push(open.remove(index)),
-            None => {
-                // Every waiting part leads to a cycle: follow it from any of them.
-                let mut at = 0;
-                let mut path = Vec::new();
-                while !path.contains(&at) {
-                    path.push(at);
-                    let before = |other: &usize| *other != at && open[*other].is_before(&open[at]);
-                    at = (0..open.len()).find(before).expect("something is before it");
-                }
-                let start = path.iter().position(|&other| other == at).expect("it was there");
-                let circle: BTreeSet<usize> = path[start..].iter().copied().collect();
-                let all: Vec<Part> = circle.into_iter().rev().map(|index| open.remove(index)).collect();
-                open.extend(all.into_iter().reduce(|mut joined, part| {
-                    joined.join(part);
-                    joined
-                }));
-            }
-        }
-    }
-    order
-}
-
 /// Parts in sequence, those that rest under the same condition together where that is possible.
 pub(super) fn together(parts: Vec<Part>) -> Vec<Part> {
-    let mut joined: Vec<Part> = Vec::new();
-    for part in parts.iter().cloned() {
-        let same = joined.iter_mut().find(|other| part.stays == other.stays && matches!(part.stays, Holds::If(_)));
-        match same {
-            Some(other) => other.join(part),
-            None => joined.push(part),
+    let (mut joined, mut resting): (Vec<Part>, FxHashMap<ValueId, usize>) = Default::default();
+    for part in &parts {
+        let place = match part.stays {
+            Holds::If(subject) => *resting.entry(subject).or_insert(joined.len()),
+            Holds::Never | Holds::Always => joined.len(),
+        };
+        match joined.get_mut(place) {
+            Some(other) => other.join(part.clone()),
+            None => joined.push(part.clone()),
         }
     }
     let count = joined.len();
     let joined = ordered(joined);
     // Parts between them may have to stand after one and before another.
     if joined.len() == count { joined } else { ordered(parts) }
+}
+
+/// Brings parts into sequence; those that must each precede the other are merged.
+pub(super) fn ordered(parts: Vec<Part>) -> Vec<Part> {
+    let readers = Readers::of(&parts);
+    let before = Graph::new(parts.len(), |part, visit| readers.before(&parts, part).into_iter().for_each(visit));
+    let mut parts: Vec<Option<Part>> = parts.into_iter().map(Some).collect();
+    let merged = |component: &[u32]| {
+        let parts = component.iter().map(|&part| parts[part as usize].take().expect("it is in one component"));
+        parts.reduce(|mut joined, part| {
+            joined.join(part);
+            joined
+        })
+    };
+    before.components().filter_map(merged).collect()
+}
+
+/// The parts that read what others change.
+struct Readers {
+    registers: FxHashMap<ValueId, Vec<u32>>,
+    memories: FxHashMap<u32, Vec<u32>>,
+    /// For each memory, the parts that write to it, each with its first sink.
+    writers: FxHashMap<u32, Vec<(usize, u32)>>,
+}
+
+impl Readers {
+    fn of(parts: &[Part]) -> Readers {
+        let (mut registers, mut memories, mut writers) =
+            <(FxHashMap<_, Vec<_>>, FxHashMap<_, Vec<_>>, FxHashMap<_, Vec<_>>)>::default();
+        for (number, part) in (0..).zip(parts) {
+            part.reads.iter().for_each(|state| registers.entry(*state).or_default().push(number));
+            part.words.iter().for_each(|memory| memories.entry(*memory).or_default().push(number));
+            for (memory, sinks) in &part.written {
+                writers.entry(*memory).or_default().extend(sinks.first().map(|&first| (first, number)));
+            }
+        }
+        Readers { registers, memories, writers }
+    }
+
+    /// The parts that must run before one, because it changes what they read, or writes later to the same memory.
+    fn before(&self, parts: &[Part], number: u32) -> BTreeSet<u32> {
+        let part = &parts[number as usize];
+        let registers = part.writes.iter().filter_map(|state| self.registers.get(state)).flatten().copied();
+        let words = part.written.keys().filter_map(|memory| self.memories.get(memory)).flatten().copied();
+        let earlier = part.written.iter().flat_map(|(memory, sinks)| {
+            self.writers[memory].iter().filter(|(first, _)| Some(first) < sinks.last()).map(|&(_, other)| other)
+        });
+        registers.chain(words).chain(earlier).filter(|&other| other != number).collect()
+    }
 }
