@@ -5,61 +5,77 @@ use tilewright_circuit::limbs_for;
 use super::Engine;
 use crate::engine::program::{Memory, Value, ValueId};
 
-/// The words of a memory: lane by lane, address by address.
+/// The words of a page.
+const PAGE: usize = 512;
+
+/// The words of a memory: lane by lane, address by address. A page without any word but 0 is not there, so that large
+/// memories cost nothing at the start.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
-    limbs: Vec<u64>,
-    /// Those that may differ from the beginning: 64 words to a number.
-    written: Vec<u64>,
+    pages: Vec<Option<Box<Page>>>,
+    zero: Vec<u64>,
     /// The words of a lane.
     depth: usize,
-    /// The limbs of a word.
-    size: usize,
+}
+
+#[derive(Debug, Clone)]
+struct Page {
+    limbs: Vec<u64>,
+    /// The words that may differ from the beginning: 64 of them to a number.
+    written: [u64; PAGE / 64],
 }
 
 impl Words {
-    /// All zero; the system provides only the pages that are written.
+    /// All zero.
     pub fn zeros(memory: &Memory) -> Words {
-        let (depth, size) = (memory.depth as usize, limbs_for(memory.width));
-        let words = memory.lanes as usize * depth;
-        Words { limbs: vec![0; words * size], written: vec![0; words.div_ceil(64)], depth, size }
+        let depth = memory.depth as usize;
+        let pages = (memory.lanes as usize * depth).div_ceil(PAGE);
+        Words { pages: vec![None; pages], zero: vec![0; limbs_for(memory.width)], depth }
     }
 
     /// A word.
     pub fn word(&self, lane: u32, address: u32) -> &[u64] {
-        &self.limbs[self.place(lane, address) * self.size..][..self.size]
+        let (page, word) = self.place(lane, address);
+        match &self.pages[page] {
+            Some(page) => &page.limbs[word * self.zero.len()..][..self.zero.len()],
+            None => &self.zero,
+        }
     }
 
     /// Replaces a word; returns whether it changed.
     pub fn write(&mut self, lane: u32, address: u32, limbs: &[u64]) -> bool {
-        let place = self.place(lane, address);
-        let word = &mut self.limbs[place * self.size..][..self.size];
-        let changes = word != limbs;
+        let changes = self.word(lane, address) != limbs;
         if changes {
-            word.copy_from_slice(limbs);
-            self.written[place / 64] |= 1 << (place % 64);
+            let ((page, word), size) = (self.place(lane, address), self.zero.len());
+            let new = || Box::new(Page { limbs: vec![0; PAGE * size], written: [0; PAGE / 64] });
+            let page = self.pages[page].get_or_insert_with(new);
+            page.limbs[word * size..][..size].copy_from_slice(limbs);
+            page.written[word / 64] |= 1 << (word % 64);
         }
         changes
     }
 
     /// Takes the present words for those of the beginning.
     pub fn begin(&mut self) {
-        self.written.fill(0);
+        self.pages.iter_mut().flatten().for_each(|page| page.written = [0; PAGE / 64]);
     }
 
     /// Calls `visit` with each word that may differ from the beginning: lane, address and limbs.
     pub fn for_each_written(&self, mut visit: impl FnMut(u32, u32, &[u64])) {
-        for (index, &written) in self.written.iter().enumerate().filter(|(_, written)| **written != 0) {
-            for bit in (0..64).filter(|bit| written >> bit & 1 == 1) {
-                let place = index * 64 + bit;
+        let pages = self.pages.iter().enumerate();
+        for (number, page) in pages.filter_map(|(number, page)| Some((number, page.as_ref()?))) {
+            for word in (0..PAGE).filter(|word| page.written[word / 64] >> (word % 64) & 1 == 1) {
+                let place = number * PAGE + word;
                 let (lane, address) = ((place / self.depth) as u32, (place % self.depth) as u32);
                 visit(lane, address, self.word(lane, address));
             }
         }
     }
 
-    fn place(&self, lane: u32, address: u32) -> usize {
-        lane as usize * self.depth + address as usize
+    /// The page of a word, and its place there.
+    fn place(&self, lane: u32, address: u32) -> (usize, usize) {
+        let place = lane as usize * self.depth + address as usize;
+        (place / PAGE, place % PAGE)
     }
 }
 
@@ -102,5 +118,61 @@ impl Engine {
             changed |= words.write(lane, address, &self.limbs[start..start + data.limbs()]);
         }
         changed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use proptest::prelude::*;
+    use tilewright_circuit::ir::{Contents, ReadUnderWrite};
+
+    use super::*;
+
+    /// Three lanes, whose words are in several pages; two limbs to a word.
+    const LANES: u32 = 3;
+    const DEPTH: u32 = 700;
+
+    fn memory() -> Memory {
+        let (reads, writes) = (Vec::new(), Vec::new());
+        let (policy, contents) = (ReadUnderWrite::Old, Contents::Unknown);
+        Memory { lanes: LANES, depth: DEPTH, width: 70, policy, contents, reads, writes, unit: None }
+    }
+
+    type Write = (u32, u32, [u64; 2]);
+
+    fn writes() -> impl Strategy<Value = Vec<Write>> {
+        prop::collection::vec((0..LANES, 0..DEPTH, [0..3_u64, 0..3_u64]), 0..200)
+    }
+
+    fn apply(words: &mut Words, model: &mut BTreeMap<(u32, u32), [u64; 2]>, writes: &[Write]) {
+        for (lane, address, limbs) in writes {
+            let before = model.insert((*lane, *address), *limbs).unwrap_or_default();
+            assert_eq!(words.write(*lane, *address, limbs), before != *limbs);
+        }
+    }
+
+    proptest! {
+        /// Words are what was written last; those of the beginning are not listed unless they change.
+        #[test]
+        fn words_are_what_was_written_last(before in writes(), after in writes()) {
+            let (mut words, mut model) = (Words::zeros(&memory()), BTreeMap::new());
+            apply(&mut words, &mut model, &before);
+            words.begin();
+            let beginning = model.clone();
+            apply(&mut words, &mut model, &after);
+            let mut listed = BTreeMap::new();
+            words.for_each_written(|lane, address, limbs| drop(listed.insert((lane, address), limbs.to_vec())));
+            for (lane, address) in (0..LANES).flat_map(|lane| (0..DEPTH).map(move |address| (lane, address))) {
+                let [now, begun] = [&model, &beginning].map(|words| words.get(&(lane, address)).copied().unwrap_or_default());
+                prop_assert_eq!(words.word(lane, address), now);
+                match listed.get(&(lane, address)) {
+                    Some(limbs) => prop_assert_eq!(&limbs[..], now),
+                    None => prop_assert_eq!(now, begun),
+                }
+            }
+            prop_assert!(listed.keys().all(|place| after.iter().any(|(lane, address, _)| (*lane, *address) == *place)));
+        }
     }
 }
