@@ -152,6 +152,40 @@ fn a_memory_has_causes_by_its_words_alone() {
     assert!(sim.why("drawers[1][3]").is_ok());
 }
 
+block! {
+    /// Reads the word that is written, with each policy.
+    struct Collision;
+    in CollisionIn { put: bit(), at: bits(2), what: bits(8) }
+    out CollisionOut { old: bits(8), any: bits(8) }
+}
+
+impl Collision {
+    fn build(&self, m: Module, i: CollisionIn) -> CollisionOut {
+        def!(calm = m.memory(4, 8, ReadUnderWrite::Old).words([10, 11, 12, 13]));
+        def!(rash = m.memory(4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13]));
+        [calm, rash].iter().for_each(|memory| memory.write(i.put, i.at, i.what));
+        CollisionOut { old: calm.read(i.at), any: rash.read(i.at) }
+    }
+}
+
+/// With the policy `Any` the write decides what a read gives, and not with `Old`.
+#[test]
+fn a_write_is_a_cause_of_what_collides_with_it() -> Result<(), Error> {
+    let mut sim = Simulation::of(&Collision)?;
+    sim.remember(1 << 20);
+    for (port, number) in [(sim.i.put, 1), (sim.i.at, 2), (sim.i.what, 77)] {
+        sim.set(port, number);
+    }
+    sim.step();
+    let at = "  when at = 2  cycle 0  input";
+    let old = ["old = 12  cycle 1", "  from calm[2] = 12  cycle 0  from the start", at];
+    let any =
+        ["any = 243  cycle 1", "  from rash[2] = 12  cycle 0  from the start", at, "  when put = 1  cycle 0  input"];
+    assert_eq!(lines(&sim.why("old")?), old);
+    assert_eq!(lines(&sim.why("any")?), any);
+    Ok(())
+}
+
 const SLOW: Clock = Clock::new("slow", Period::ns(30));
 
 block! {
