@@ -31,11 +31,15 @@ fn the_programs_of_every_block_pass_the_checks_and_mutants_do_not() {
     let (clamps, refused, wild) = (sum(|it| it.clamps), sum(|it| it.refused), sum(|it| it.wild));
     let (padded, bounded) = (sum(|it| it.padded), sum(|it| it.bounded));
     let (late, found) = (sum(|it| it.late), sum(|it| it.found));
-    println!("{programs} programs, {accesses} accesses; refused: {found} of {late} late");
+    let probed = sum(|it| it.probed);
+    println!(
+        "{programs} programs, {probed} run on large numbers, {accesses} accesses; refused: {found} of {late} late"
+    );
     println!(
         "{clamps} unclamped: {refused} refused ({wild} run wild), {padded} in padding, {bounded} bounded otherwise"
     );
     assert!(programs > 200 && accesses > 20_000, "{programs} programs with {accesses} accesses");
+    assert!(10 * probed > 9 * programs, "{probed} of {programs} programs run on large numbers");
     assert!(clamps > 50 && 5 * refused > 2 * clamps, "{refused} of {clamps} without a clamp are refused");
     // What is accepted is run on the largest numbers, and must stay in its memory; what is refused need not.
     assert!(wild > 10 && padded > 10 && bounded > 0, "{wild} run wild, {padded} and {bounded} are accepted");

@@ -54,7 +54,21 @@ impl Program {
         memories: &mut (impl Places + ?Sized),
         called: &mut impl Calls,
     ) -> Result<u64, Wild> {
-        let mut run = Run { program: self, values: vec![Bytes::default(); self.values.len()], memories, called };
+        self.evaluate_watched(parameters, memories, called, &mut |_, _| {})
+    }
+
+    /// The same; `watch` is called with each value each time that it is defined.
+    ///
+    /// # Errors
+    /// As [`Program::evaluate`].
+    pub fn evaluate_watched(
+        &self,
+        parameters: [u64; 3],
+        memories: &mut (impl Places + ?Sized),
+        called: &mut impl Calls,
+        watch: &mut impl FnMut(Value, &Bytes),
+    ) -> Result<u64, Wild> {
+        let mut run = Run { program: self, values: vec![Bytes::default(); self.values.len()], memories, called, watch };
         for (value, number) in Program::PARAMETERS.into_iter().zip(parameters) {
             run.values[value.index()] = of_number(number);
         }
@@ -76,14 +90,15 @@ enum Next {
     Returned(u64),
 }
 
-struct Run<'p, P: ?Sized, C> {
+struct Run<'p, P: ?Sized, C, W> {
     program: &'p Program,
     values: Vec<Bytes>,
     memories: &'p mut P,
     called: &'p mut C,
+    watch: &'p mut W,
 }
 
-impl<P: Places + ?Sized, C: Calls> Run<'_, P, C> {
+impl<P: Places + ?Sized, C: Calls, W: FnMut(Value, &Bytes)> Run<'_, P, C, W> {
     fn ty(&self, value: Value) -> Type {
         self.program.type_of(value)
     }
@@ -97,7 +112,12 @@ impl<P: Places + ?Sized, C: Calls> Run<'_, P, C> {
     }
 
     fn define(&mut self, values: &[Value], bytes: Vec<Bytes>) {
-        values.iter().zip(bytes).for_each(|(value, bytes)| self.values[value.index()] = bytes);
+        values.iter().zip(bytes).for_each(|(value, bytes)| self.set(*value, bytes));
+    }
+
+    fn set(&mut self, value: Value, bytes: Bytes) {
+        (self.watch)(value, &bytes);
+        self.values[value.index()] = bytes;
     }
 
     fn number(&self, value: Value) -> u64 {
@@ -118,7 +138,8 @@ impl<P: Places + ?Sized, C: Calls> Run<'_, P, C> {
         match statement {
             Statement::Let(value) => {
                 let (operation, ty) = &self.program.values[value.index()];
-                self.values[value.index()] = self.operation(operation, *ty)?;
+                let bytes = self.operation(operation, *ty)?;
+                self.set(*value, bytes);
             }
             Statement::Call { function, arguments } => _ = self.call(*function, arguments, false),
             Statement::Store { value, address, offset, .. } => {

@@ -13,6 +13,8 @@ pub struct Examined {
     /// Programs, and accesses of theirs that are shown to stay in one allocation.
     pub programs: usize,
     pub accesses: usize,
+    /// Programs that ran on large numbers, in which each value was what the checks know of it.
+    pub probed: usize,
     /// Masks and minima of addresses that were left out of a program, one at a time. Each makes a range smaller.
     pub clamps: usize,
     /// The programs without one that were refused, and those of them that leave their memory when they run on large
@@ -50,6 +52,10 @@ impl Examined {
             Ok(bounds) => bounds,
         };
         self.accesses += bounds.accesses.len();
+        match program.probe_facts(&bounds, memory.has_units()) {
+            Err(sentence) => self.wrong.push(format!("{sentence}\n{text}")),
+            Ok(ran) => self.probed += usize::from(ran),
+        }
         self.read_late(program, &bounds, memory);
         self.unclamp(program, &bounds, memory);
     }

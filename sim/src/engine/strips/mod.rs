@@ -32,4 +32,6 @@ pub use examined::Examined;
 pub(super) use operation::{Binary, Comparison, Load, Operation, Unary};
 pub(super) use program::{Loop, Program, Region, Statement};
 pub(super) use text::Notes;
+#[cfg(test)]
+pub(super) use value::Bytes;
 pub(super) use value::{Type, Value};

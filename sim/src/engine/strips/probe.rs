@@ -1,9 +1,12 @@
 //! Runs a strip program in memory of its own, in which each number is the greatest one that its place may have: so
 //! indices are as large as they get.
 
-use super::bounds::{Base, Bounds, Extent};
+use std::collections::BTreeSet;
+
+use super::bounds::{Access, Base, Bounds, Extent};
 use super::evaluate::{Memory, Wild};
 use super::program::Program;
+use super::value::{Bytes, Value};
 
 /// Where the state, and the first one of what its addresses lead to, begin: no address of this process is so small, and
 /// nothing is larger than the distances.
@@ -17,6 +20,38 @@ impl Program {
     /// # Errors
     /// It accesses what is in none of them.
     pub fn probe(&self, bounds: &Bounds, has_units: bool) -> Result<u64, Wild> {
+        self.probe_watched(bounds, has_units, &mut |_, _| {})
+    }
+
+    /// Whether each value in such a run is what is known of it. Memories side by side cannot all have their greatest
+    /// numbers: with them nothing is run, and the result is `false`.
+    ///
+    /// # Errors
+    /// A value is something else, or the program leaves its memory.
+    pub fn probe_facts(&self, bounds: &Bounds, has_units: bool) -> Result<bool, String> {
+        if overlap(bounds) {
+            return Ok(false);
+        }
+        let mut other = None;
+        let run = self.probe_watched(bounds, has_units, &mut |value, bytes| {
+            let ((operation, ty), fact) = (&self.values[value.index()], bounds.facts[value.index()]);
+            if other.is_none() && !fact.admits(*ty, bytes, |base| Some(address(base))) {
+                other = Some(format!("{operation:?} is {bytes:x?}, and the bounds have {fact:?}"));
+            }
+        });
+        match (run, other) {
+            (_, Some(other)) => Err(other),
+            (Err(Wild(at)), None) => Err(format!("it accesses {at:#x}")),
+            (Ok(_), None) => Ok(true),
+        }
+    }
+
+    fn probe_watched(
+        &self,
+        bounds: &Bounds,
+        has_units: bool,
+        watch: &mut impl FnMut(Value, &Bytes),
+    ) -> Result<u64, Wild> {
         let mut extents: Vec<(Base, Extent)> = Vec::new();
         for access in &bounds.accesses {
             // The unit is the first one.
@@ -25,12 +60,6 @@ impl Program {
                 extents.push((base, access.extent));
             }
         }
-        let address = |base: Base| match base {
-            Base::State | Base::Unit => STATE,
-            Base::Scratch => SCRATCH,
-            Base::Known(address) => address as u64,
-            Base::Stored(at) => STORED + ((at as u64) << 32),
-        };
         let mut filled: Vec<(u64, Vec<u8>)> = extents
             .iter()
             .map(|(base, extent)| (address(*base).wrapping_add_signed(extent.start), filled(*extent)))
@@ -47,7 +76,29 @@ impl Program {
         let mut memories: Vec<Memory> =
             filled.iter_mut().map(|(address, bytes)| Memory { address: *address, bytes }).collect();
         let argument = if has_units { 0 } else { 1 };
-        self.evaluate([STATE, argument, SCRATCH], memories.as_mut_slice(), &mut |_: u64, _: &[u64]| 1)
+        let called = &mut |_: u64, _: &[u64]| 1;
+        self.evaluate_watched([STATE, argument, SCRATCH], memories.as_mut_slice(), called, watch)
+    }
+}
+
+/// Whether two allocations have bytes in common.
+fn overlap(bounds: &Bounds) -> bool {
+    let range = |access: &Access| {
+        let Extent { start, end, integer, most, .. } = access.extent;
+        let [first, last] = [start, end].map(|at| address(access.base).wrapping_add_signed(at));
+        (first, last, integer, most)
+    };
+    let ranges: BTreeSet<_> = bounds.accesses.iter().map(range).collect();
+    ranges.iter().zip(ranges.iter().skip(1)).any(|((_, last, ..), (first, ..))| last > first)
+}
+
+/// Where a base is.
+fn address(base: Base) -> u64 {
+    match base {
+        Base::State | Base::Unit => STATE,
+        Base::Scratch => SCRATCH,
+        Base::Known(address) => address as u64,
+        Base::Stored(at) => STORED + ((at as u64) << 32),
     }
 }
 

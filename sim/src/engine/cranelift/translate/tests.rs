@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::super::jit::Jit;
-use crate::engine::strips::{Builder, Comparison, Load, Loop, Memory, Notes, Only, Program, Type, Value};
+use crate::engine::strips::{Base, Builder, Bytes, Comparison, Load, Loop, Memory, Notes, Only, Program, Type, Value};
 
 const COMPARISONS: [Comparison; 10] = [
     Comparison::Equal,
@@ -76,7 +76,7 @@ impl Random<'_> {
     fn of_numbers(&mut self, x: u8, y: u8, n: u64) {
         let (x, y) = (self.number(x), self.number(y));
         let b = &mut *self.b;
-        let constant = (n >> 8) as i64;
+        let constant = constant(n >> 8);
         let value = match n % 20 {
             0 => b.add(x, y),
             1 => b.sub(x, y),
@@ -325,6 +325,18 @@ impl Random<'_> {
     }
 }
 
+/// A number of up to 56 bits, as it is or as one that is often at the end of a range.
+fn constant(n: u64) -> i64 {
+    let shift = n >> 2 & 63;
+    let number = match n & 3 {
+        0 => n >> 8,
+        1 => n >> 8 & 0xff,
+        2 => u64::MAX >> shift,
+        _ => 1 << shift,
+    };
+    number as i64
+}
+
 /// A program of these steps.
 fn write(b: &mut Builder, steps: &[Step]) {
     let [state, argument, _] = Program::PARAMETERS;
@@ -367,7 +379,7 @@ fn run(steps: &[Step], argument: u64, mut state: State) -> (u64, State) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 256, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
 
     #[test]
     fn code_does_what_the_evaluator_does(
@@ -383,14 +395,21 @@ proptest! {
         let (text, addresses) = program.text_and_addresses(&Notes::NONE);
         prop_assert_eq!(Program::parse(&text, &addresses), Ok(program.settled()));
         // What is shown to stay in the state stays in it.
-        if program.check(&Only(STATE as i64)).is_err() {
-            return Ok(());
-        }
+        let Ok(bounds) = program.check(&Only(STATE as i64)) else { return Ok(()) };
         let mut evaluated = state.clone();
         let address = 1 << 20;
         let mut memories = [Memory { address, bytes: &mut evaluated.0 }];
-        let result = program.evaluate([address, argument, 0], memories.as_mut_slice(), &mut |_: u64, _: &[u64]| unreachable!("it calls nothing"));
+        let mut unexpected = Vec::new();
+        let watch = &mut |value: Value, bytes: &Bytes| {
+            let (fact, ty) = (bounds.facts[value.index()], program.type_of(value));
+            if !fact.admits(ty, bytes, |base| (base == Base::State).then_some(address)) {
+                unexpected.push((value, *bytes, fact));
+            }
+        };
+        let called = &mut |_: u64, _: &[u64]| unreachable!("it calls nothing");
+        let result = program.evaluate_watched([address, argument, 0], memories.as_mut_slice(), called, watch);
         let result = result.map_err(|wild| TestCaseError::fail(format!("{wild:?}")))?;
+        prop_assert!(unexpected.is_empty(), "{unexpected:?}\n{text}");
         prop_assert_eq!(run(&steps, argument, state), (result, evaluated));
     }
 }

@@ -56,6 +56,18 @@ impl Fact {
         }
     }
 
+    /// Whether a value may be these bytes; `base` has the address of a base, if that is known.
+    pub fn admits(self, ty: Type, bytes: &Bytes, base: impl Fn(Base) -> Option<u64>) -> bool {
+        let bits = Possible::of_bytes(bytes);
+        match self {
+            Number(least, most) => (least..=most).contains(&bits.number()),
+            Address(from, least, most) => {
+                base(from).is_none_or(|address| (least..=most).contains(&(bits.number().wrapping_sub(address) as i64)))
+            }
+            Vector(possible) => (0..ty.lanes()).all(|i| lane(ty, bits, i) & !lane(ty, possible, i) == 0),
+        }
+    }
+
     /// What is known of one of two values.
     pub fn or(self, other: Fact, ty: Type) -> Fact {
         match (self, other) {
