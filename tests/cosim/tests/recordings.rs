@@ -3,7 +3,7 @@
 
 use tilewright_gen::{testbench, tools, verilog};
 use tilewright_hdl::*;
-use tilewright_sim::Simulation;
+use tilewright_sim::{EngineKind, Simulation};
 
 bundle! {
     struct TableIn<T> { at: T, write: T }
@@ -83,6 +83,7 @@ block! {
         late: bits(70),
         lanes: bits(3).of(grid(2, 3)),
         started: bits(4),
+        single: bit().of(row(1)),
         from_shared: bits(5).of(grid(2, 2)),
         from_own: bits(5).of(row(4)),
         from_gated: bits(6).of(row(2)),
@@ -99,6 +100,8 @@ impl Garbage {
         lanes.next(lanes + i.at);
         def!(started = m.reg(4).reset(3));
         started.next(i.at.zext(4));
+        def!(single = m.reg(bit().of(row(1))));
+        single.next(!single);
         def!(shared = m.memory(8, bits(5).of(grid(2, 2)), ReadUnderWrite::Old));
         def!(own = m.memory(8, bits(5).of(row(4)), ReadUnderWrite::Old));
         def!(gated = m.memory(5, bits(6).of(row(2)), ReadUnderWrite::Old));
@@ -113,6 +116,7 @@ impl Garbage {
             late: *late,
             lanes: *lanes,
             started: *started,
+            single: *single,
             from_shared: shared.read(i.at),
             from_own: own.read(addresses),
             from_gated: gated.read_when(i.at.ne(6), i.at),
@@ -154,6 +158,10 @@ fn what_a_seed_fills_is_part_of_what_a_testbench_starts_from() {
         let recording = recorder.take();
         assert!(recording.steps[0].outputs.iter().filter(|value| !value.is_zero()).count() > 4, "{recording:?}");
         assert_eq!(recording.steps[0].outputs[2], Bits::new(4, 3));
+        for kind in [EngineKind::Interpreter, EngineKind::Compiled] {
+            let again = Simulation::of(&Garbage).unwrap().on(kind).starting_as(&recording);
+            again.unwrap().replay(&recording).unwrap();
+        }
         let (files, bench) = (verilog(&design), testbench(&design, &recording));
         let _ = tools::replay_in_icarus(&files, &bench).unwrap();
         let _ = tools::replay_in_verilator(&files, &bench).unwrap();
