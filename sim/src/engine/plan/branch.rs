@@ -27,6 +27,9 @@ const MOST_BESIDE_VERSIONS: usize = 3000;
 
 /// Gives kernels branches if that pays.
 pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &StripSizes, passes: &Passes) {
+    if plan.stages.iter().all(|stage| stage.kernels.is_empty()) {
+        return;
+    }
     let dependents = Dependents::of(function);
     let mut stages = std::mem::take(&mut plan.stages);
     for (&lanes, kernel) in stages.iter_mut().flat_map(|stage| &mut stage.kernels) {
