@@ -26,7 +26,7 @@ pub(crate) enum Seen<'a> {
     Sequenced(&'a Function, &'a Plan, &'a [Vec<Step>]),
 }
 
-/// A loop may be this many times longer than a function of scalars.
+/// A loop may be this many times longer than a function of scalars: few of its values are live at a time.
 const LONG_LOOP: usize = 8;
 
 /// Plans a function.
