@@ -14,6 +14,8 @@ const PAGE: usize = 512;
 pub(super) struct Words {
     pages: Vec<Option<Box<Page>>>,
     zero: Vec<u64>,
+    /// The words that a page has room for.
+    room: usize,
     /// The words of a lane.
     depth: usize,
 }
@@ -29,8 +31,9 @@ impl Words {
     /// All zero.
     pub fn zeros(memory: &Memory) -> Words {
         let depth = memory.depth as usize;
-        let pages = (memory.lanes as usize * depth).div_ceil(PAGE);
-        Words { pages: vec![None; pages], zero: vec![0; limbs_for(memory.width)], depth }
+        let words = memory.lanes as usize * depth;
+        let zero = vec![0; limbs_for(memory.width)];
+        Words { pages: vec![None; words.div_ceil(PAGE)], zero, room: words.min(PAGE), depth }
     }
 
     /// A word.
@@ -46,8 +49,8 @@ impl Words {
     pub fn write(&mut self, lane: u32, address: u32, limbs: &[u64]) -> bool {
         let changes = self.word(lane, address) != limbs;
         if changes {
-            let ((page, word), size) = (self.place(lane, address), self.zero.len());
-            let new = || Box::new(Page { limbs: vec![0; PAGE * size], written: [0; PAGE / 64] });
+            let ((page, word), size, room) = (self.place(lane, address), self.zero.len(), self.room);
+            let new = || Box::new(Page { limbs: vec![0; room * size], written: [0; PAGE / 64] });
             let page = self.pages[page].get_or_insert_with(new);
             page.limbs[word * size..][..size].copy_from_slice(limbs);
             page.written[word / 64] |= 1 << (word % 64);
