@@ -51,9 +51,8 @@ fn run(rows: &Rows) -> Vec<usize> {
     let mut sim = Simulation::with_passes(&design, &passes()).unwrap().on(EngineKind::Both);
     let [enable, x, swap] = ["enable", "x", "swap"].map(|name| sim.port(name).unwrap());
     for step in 0..50 {
-        let limbs: Vec<u64> = (0..rows.rows.div_ceil(32)).map(|_| random.below(1 << 32)).collect();
-        let limbs: Vec<u64> =
-            limbs.chunks(2).map(|halves| halves[0] | halves.get(1).map_or(0, |high| high << 32)).collect();
+        let limb = |_| random.below(1 << 32) << 32 | random.below(1 << 32);
+        let limbs: Vec<u64> = (0..rows.rows / 64).map(limb).collect();
         sim.set(enable, &limbs[..]);
         sim.set(x, random.below(256));
         sim.set(swap, random.below(2));

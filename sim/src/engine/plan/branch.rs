@@ -59,7 +59,7 @@ fn split(
     most: usize,
     depth: usize,
 ) -> usize {
-    let whole = kernel.cells.len() + kernel.sinks.len();
+    let whole = kernel.operations();
     let Some(subject) = (depth > 0).then(|| dominant(function, kernel)).flatten() else { return whole };
     let width = function.cell(subject).width;
     let (cells, sinks) = (function.circuit().len(), function.sinks.len());
@@ -72,7 +72,7 @@ fn split(
     for number in 0..1u64 << width {
         let mut known = Known::new(function, &cone, &[(subject, number)]);
         let variant = known.kernel(plan, kernel, &mut moved);
-        remaining += variant.cells.len() + variant.sinks.len();
+        remaining += variant.operations();
         let index = kernels.iter().position(|other| same(function, other, &variant));
         table.push(index.unwrap_or(kernels.len()));
         if index.is_none() {
@@ -80,7 +80,7 @@ fn split(
         }
     }
     let average = remaining as f64 / table.len() as f64;
-    let total: usize = kernels.iter().map(|kernel| kernel.cells.len() + kernel.sinks.len()).sum();
+    let total: usize = kernels.iter().map(Kernel::operations).sum();
     let saved = (whole as f64 - average) * times as f64;
     if average > whole as f64 * REMAINING || saved < WORTH as f64 || total > most {
         function.rewriter.truncate(cells);
@@ -93,7 +93,7 @@ fn split(
     }
     let mut left = most - total;
     for variant in &mut kernels {
-        let before = variant.cells.len() + variant.sinks.len();
+        let before = variant.operations();
         left = left
             .saturating_sub(split(function, plan, dependents, variant, times, left, depth - 1).saturating_sub(before));
     }

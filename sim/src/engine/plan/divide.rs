@@ -11,7 +11,7 @@ use crate::engine::function::Function;
 pub(super) fn divide(function: &Function, plan: &mut Plan, most: usize) {
     let mut stages = Vec::new();
     for mut stage in std::mem::take(&mut plan.stages) {
-        if stage.kernels.values().all(|kernel| weight(kernel) <= most) {
+        if stage.kernels.values().all(|kernel| kernel.operations() <= most) {
             stages.push(stage);
             continue;
         }
@@ -27,17 +27,13 @@ pub(super) fn divide(function: &Function, plan: &mut Plan, most: usize) {
     plan.stages = stages;
 }
 
-fn weight(kernel: &Kernel) -> usize {
-    kernel.cells.len() + kernel.sinks.len()
-}
-
 /// The loops that run instead of one, in sequence.
 fn divided(function: &Function, plan: &Plan, kernel: &Kernel, most: usize) -> Vec<Kernel> {
     let places = places(kernel);
     let mut joined: Vec<Part> = Vec::new();
     for part in ordered(parts(function, plan, kernel, &places)) {
         match joined.last_mut() {
-            Some(last) if last.weight() + part.weight() <= most => last.join(part),
+            Some(last) if last.operations() + part.operations() <= most => last.join(part),
             _ => joined.push(part),
         }
     }

@@ -80,6 +80,11 @@ pub(super) struct Kernel {
 }
 
 impl Kernel {
+    /// The number of its operations on a strip.
+    pub fn operations(&self) -> usize {
+        self.cells.len() + self.sinks.len()
+    }
+
     /// Calls `visit` with each loop that runs instead of it, or with itself.
     pub fn for_each_leaf(&mut self, visit: &mut dyn FnMut(&mut Kernel)) {
         let Kernel { parts, switch, .. } = self;

@@ -28,7 +28,7 @@ pub(super) struct Part {
 
 impl Part {
     /// The number of its operations.
-    pub(super) fn weight(&self) -> usize {
+    pub(super) fn operations(&self) -> usize {
         self.cells.len() + self.sinks.len()
     }
 
@@ -86,7 +86,7 @@ struct Members<'a> {
 
 impl Members<'_> {
     fn count(&self) -> usize {
-        self.kernel.cells.len() + self.kernel.sinks.len()
+        self.kernel.operations()
     }
 
     /// Those for which the others are computed: sinks, and values for other loops.

@@ -65,7 +65,7 @@ fn times(lanes: u32, strips: &StripSizes) -> usize {
 
 /// The number of strip operations of a loop.
 fn work(kernel: &Kernel, times: usize) -> usize {
-    (kernel.cells.len() + kernel.sinks.len()) * times
+    kernel.operations() * times
 }
 
 /// Splits a loop if some part of it may be skipped; the deciding condition is computed with the scalars of its stage.
@@ -88,7 +88,7 @@ fn guard(
     let (mut parts, mut made) = (together(parts), BTreeSet::new());
     for part in &mut parts {
         let cells = made_for(function, part.stays, first);
-        if cells.len() * WORTH > (part.cells.len() + part.sinks.len()) * times {
+        if cells.len() * WORTH > part.operations() * times {
             part.stays = Holds::Never;
         } else {
             made.extend(cells);

@@ -67,7 +67,7 @@ fn kernel_weight(kernel: &Kernel) -> usize {
     match &kernel.switch {
         _ if !kernel.parts.is_empty() => kernel.parts.iter().map(kernel_weight).sum(),
         Some(switch) => switch.kernels.iter().map(kernel_weight).sum(),
-        None => kernel.cells.len() + kernel.sinks.len(),
+        None => kernel.operations(),
     }
 }
 

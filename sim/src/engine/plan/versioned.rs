@@ -24,7 +24,7 @@ impl Versioned {
     /// A loop that repeats `times` times; `None` if it is too small, or if one value selects alone, because a branch
     /// serves that.
     pub fn new(function: &Function, kernel: &Kernel, lanes: u32, times: usize, passes: &Passes) -> Option<Versioned> {
-        let work = (kernel.cells.len() + kernel.sinks.len()) * times;
+        let work = kernel.operations() * times;
         if passes.versions_after == u32::MAX || work < passes.versions_from || !is_plain(function, kernel) {
             return None;
         }

@@ -34,9 +34,8 @@ impl Program {
         }
         let mut other = None;
         let run = self.probe_watched(bounds, has_units, &mut |value, bytes| {
-            let ((operation, ty), fact) = (&self.values[value.index()], bounds.facts[value.index()]);
-            if other.is_none() && !fact.admits(*ty, bytes, |base| Some(address(base))) {
-                other = Some(format!("{operation:?} is {bytes:x?}, and the bounds have {fact:?}"));
+            if other.is_none() {
+                other = bounds.refute(self, value, bytes, |base| Some(address(base)));
             }
         });
         match (run, other) {

@@ -401,10 +401,7 @@ proptest! {
         let mut memories = [Memory { address, bytes: &mut evaluated.0 }];
         let mut unexpected = Vec::new();
         let watch = &mut |value: Value, bytes: &Bytes| {
-            let (fact, ty) = (bounds.facts[value.index()], program.type_of(value));
-            if !fact.admits(ty, bytes, |base| (base == Base::State).then_some(address)) {
-                unexpected.push((value, *bytes, fact));
-            }
+            unexpected.extend(bounds.refute(&program, value, bytes, |base| (base == Base::State).then_some(address)));
         };
         let called = &mut |_: u64, _: &[u64]| unreachable!("it calls nothing");
         let result = program.evaluate_watched([address, argument, 0], memories.as_mut_slice(), called, watch);

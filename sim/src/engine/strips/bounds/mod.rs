@@ -12,7 +12,7 @@ use std::cell::RefCell;
 use super::commits::Touched;
 use super::operation::{Binary, Comparison, Load, Operation, Unary};
 use super::program::{Loop, Program, Statement};
-use super::value::{Type, Value};
+use super::value::{Bytes, Type, Value};
 pub(in crate::engine) use fact::Fact;
 use fact::ones;
 use possible::Possible;
@@ -106,6 +106,22 @@ pub(in crate::engine) struct Bounds {
     pub facts: Vec<Fact>,
     /// In the sequence of the program.
     pub accesses: Vec<Access>,
+}
+
+impl Bounds {
+    /// The sentence about a value of the program that is not what is known of it; `base` has the address of a base, if
+    /// that is known.
+    pub fn refute(
+        &self,
+        program: &Program,
+        value: Value,
+        bytes: &Bytes,
+        base: impl Fn(Base) -> Option<u64>,
+    ) -> Option<String> {
+        let ((operation, ty), fact) = (&program.values[value.index()], self.facts[value.index()]);
+        let sentence = || format!("{operation:?} is {bytes:x?}, and the bounds have {fact:?}");
+        (!fact.admits(*ty, bytes, base)).then(sentence)
+    }
 }
 
 struct Walk<'p> {
