@@ -1,7 +1,7 @@
 //! The boxes and arrows of small blocks.
 
 use crate::blocks::Counter;
-use tilewright_gen::{Around, ArrowKind, BoxKind, Diagram, DiagramError, DiagramOptions, diagram};
+use tilewright_gen::{Around, ArrowKind, BoxKind, Diagram, DiagramBox, DiagramError, DiagramOptions, diagram};
 use tilewright_hdl::*;
 
 fn shown(block: &impl Block) -> Diagram {
@@ -259,6 +259,13 @@ fn numbered_instances_are_one_box_where_they_are_too_many() {
     assert_eq!(instances(&many), [("u_slot[*]".to_owned(), "40".to_owned())]);
     assert_eq!(arrows(&many), ["jobs => u_slot[*]", "u_slot[*] => held", "u_slot[*] -> busy"]);
     assert!(many.boxes[1].members.contains(&"u_slot39".to_owned()));
+}
+
+#[test]
+fn the_net_that_is_asked_for_is_never_one_of_a_folded_row() {
+    let near = around(&Row { count: 40 }, "u_slot20", 30).unwrap();
+    let focus: Vec<&DiagramBox> = near.boxes.iter().filter(|it| it.is_focus).collect();
+    assert_eq!(focus.iter().map(|it| &it.names[..]).collect::<Vec<_>>(), [["u_slot20"]]);
 }
 
 #[test]

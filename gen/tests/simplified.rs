@@ -235,6 +235,10 @@ fn a_part_is_taken_of_what_has_it() {
         (|_, i| i.a.lt(i.b).sext(8), "{8{a < b}}"),
         (|_, i| i.a.slice(2..7).sext(8), "{{3{a[6]}}, a[6:2]}"),
         (|_, i| (i.a + i.b).slice(2..7).sext(8), "{{3{a_plus_b[6]}}, a_plus_b[6:2]}"),
+        (|_, i| (i.a + 200).slice(2..7), "a_plus_200[6:2]"),
+        (|_, i| (i.a.signed() + 100).bits().slice(2..7), "a_plus_100[6:2]"),
+        // A negative number is no part of a name.
+        (|_, i| (i.a.signed() + -56).bits().slice(2..7), "y_sum[6:2]"),
         (|_, i| i.a.zext(12).slice(2..8).sext(9), "{{3{a[7]}}, a[7:2]}"),
         (|_, i| cat![i.a, i.b].slice(4..8).sext(9), "{{5{b[7]}}, b[7:4]}"),
     ]);

@@ -5,7 +5,7 @@ use super::model::{Arrow, ArrowKind, BoxKind, Diagram, DiagramBox};
 use std::fmt::Write;
 
 /// Sizes in pixels, for fonts of 12 and 10 pixels. Characters of common fonts are at most 0.61 of that wide.
-const PIXELS: Measure = Measure {
+pub(super) const PIXELS: Measure = Measure {
     name: 7.3,
     note: 6.2,
     label: 6.1,

@@ -103,3 +103,19 @@ fn spread(wished: &[f64], top: f64, bottom: f64, measure: &Measure) -> Vec<f64> 
     }
     if measure.is_whole { ys.into_iter().map(f64::round).collect() } else { ys }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points keep off the corners, wherever they would like to be, and keep their order and distance.
+    #[test]
+    fn points_stay_between_the_corners() {
+        let measure = Measure { line_gap: 8.0, ..crate::diagram::svg::PIXELS };
+        assert_eq!(spread(&[0.0, 200.0], 10.0, 110.0, &measure), [14.0, 106.0]);
+        assert_eq!(spread(&[50.0, 51.0], 10.0, 110.0, &measure), [50.0, 58.0]);
+        assert_eq!(spread(&[300.0, 300.0], 10.0, 110.0, &measure), [98.0, 106.0]);
+        // In too little room they share it.
+        assert_eq!(spread(&[0.0, 0.0, 0.0], 0.0, 8.0, &measure), [1.0, 3.0, 5.0]);
+    }
+}

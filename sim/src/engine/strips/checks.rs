@@ -228,6 +228,22 @@ fn lanes_are_read_before_another_lane_changes_them() {
     assert_eq!(said(&format!("{LOOP}\nthen{later}")), "");
 }
 
+/// The nearest step that a loop can make.
+#[test]
+fn bytes_are_read_before_an_earlier_byte_changes_them() {
+    let ascending = |at: u32| {
+        said(&format!(
+            "loop v0: i64 = 0\n  v1: i64 = add state v0\n  v2: i8 = load [v1 + 32]\n  store i8 [v1 + {at}] v2
+  v3: i64 = add v0 1\n  v4: i8 = ult i64 v3 16\nagain if v4 with v3"
+        ))
+    };
+    // A byte that is five ahead changes before the loop reads it; what is behind, or beyond the last, does not matter.
+    assert_eq!([27, 32, 48].map(ascending), ["", "", ""]);
+    for at in [33, 37, 47] {
+        assert!(ascending(at).ends_with("is loaded after another lane was changed"), "{at}: {}", ascending(at));
+    }
+}
+
 #[test]
 fn a_minimum_of_lanes_keeps_which_lanes_they_may_be() {
     let said = |start: &str, neighbour: &str, limit: &str, next: &str| {

@@ -176,6 +176,40 @@ fn a_file_without_words_is_as_it_was() {
     assert_eq!(with.len(), without.len() + 2);
 }
 
+block! {
+    /// Writes both words at each edge, and first the one of the address.
+    struct Both;
+    in BothIn { at: bit(), data: bits(8) }
+    out BothOut { word: bits(8) }
+}
+
+impl Both {
+    fn build(&self, m: Module, i: BothIn) -> BothOut {
+        def!(kept = m.memory(2, 8, ReadUnderWrite::Old).fill(0).true_dual_port());
+        kept.write(lit(1, 1), i.at, i.data);
+        kept.write(lit(1, 1), !i.at, !i.data);
+        BothOut { word: kept.read(i.at) }
+    }
+}
+
+#[test]
+fn words_of_one_edge_are_in_the_order_of_their_addresses() {
+    let mut sim = of(&Both);
+    sim.trace(Vcd::to(path("both.vcd")).only("at").words("kept", 0..2)).unwrap();
+    for data in 1..5_u64 {
+        sim.set(sim.i.at, data % 2);
+        sim.set(sim.i.data, data);
+        sim.step();
+    }
+    sim.finish().unwrap();
+    let text = fs::read_to_string(path("both.vcd")).unwrap();
+    let ids: Vec<&str> =
+        text.lines().filter_map(|line| line.strip_prefix('b')?.split_once(' ')).map(|it| it.1).collect();
+    let [first, second] = [ids[0], ids[1]];
+    assert!(first != second && ids.len() == 10, "{text}");
+    assert!(ids.chunks(2).all(|pair| pair == [first, second]), "{text}");
+}
+
 #[test]
 fn what_matches_no_memory_or_too_many_words_is_refused() {
     let sim = of(&Stores);

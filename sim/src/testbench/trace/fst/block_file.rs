@@ -121,6 +121,16 @@ mod tests {
     }
 
     #[test]
+    fn a_file_that_cannot_be_made_is_reported() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut file = BlockFile::new(folder.path().join("missing").join("a.fst"), None);
+        file.create();
+        file.append(b"block", b"b");
+        let error = file.report().unwrap_err().to_string();
+        assert!(error.contains("a.fst: "), "{error}");
+    }
+
+    #[test]
     #[cfg(target_os = "linux")]
     fn an_error_is_reported_once() {
         let mut file = BlockFile::new("/dev/full".into(), None);
