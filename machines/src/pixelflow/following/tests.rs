@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::PixelArray;
 use tilewright_rtl::pixelflow::instruction::Instruction;
-use tilewright_rtl::pixelflow::programs::{clear, move_word};
+use tilewright_rtl::pixelflow::pixel::Source;
+use tilewright_rtl::pixelflow::programs::{clear, give_bank, move_word};
 use tilewright_scenes::deferred::{Samples, Shading, project_deferred};
 use tilewright_scenes::{Scene, Size, project_polygons};
-use tilewright_sim::Simulation;
+use tilewright_sim::{Bits, Simulation};
 
 use super::*;
 use crate::pixelflow::hardware::ArraySimulation;
@@ -102,9 +103,19 @@ fn blamed(at: u64, fault: impl Fn(&mut ArraySimulation)) -> Option<&'static str>
     while sim.cycles(ARRAY).expect("there is one") == clocks {
         sim.step();
     }
-    let mut program: Vec<Instruction<u64>> = [clear(0, 8), move_word(0, 256, 8), clear(288, 4)].concat();
+    let sum = Instruction {
+        source: Source::Expression as u64,
+        skip: 2,
+        length: 2,
+        a: 700,
+        b: 300,
+        c: 90_000,
+        ..clear(16, 1)[0]
+    };
+    let moved = [clear(0, 8), move_word(0, 256, 8), clear(288, 4)].concat();
+    let mut program: Vec<Instruction<u64>> = [&moved[..], &[sum, give_bank(1)]].concat();
     program.reverse();
-    for tick in 0..200 {
+    for tick in 0..240 {
         if tick == at {
             fault(&mut sim);
         }
@@ -140,4 +151,30 @@ fn a_fault_is_named_at_the_unit_that_has_it() {
     assert_eq!(blamed(160, changes("u_bank1.by_array[1][9]", 3)), Some("communication-registers"));
     // That of another pixel is none of this one's.
     assert_eq!(blamed(160, changes("u_bank1.by_array[1][8]", 3)), None);
+}
+
+/// The number with another lowest bit.
+fn other(value: &Bits) -> Bits {
+    let mut limbs = value.limbs().to_vec();
+    limbs[0] ^= 1;
+    Bits::from_limbs(value.width(), &limbs)
+}
+
+#[test]
+fn a_fault_in_a_register_is_named_at_its_unit() {
+    let changes = |register: &'static str| {
+        move |sim: &mut ArraySimulation| {
+            let forced =
+                sim.checkpoint().forced(|name, value| if name == register { other(value) } else { value.clone() });
+            assert!(!sim.checkpoint().differences(&forced).is_empty(), "there is no {register}");
+            sim.restore(&forced).expect("it is the same array");
+        }
+    };
+    // A byte of the expression is under way to the pixel, or to the one beside it.
+    assert_eq!(blamed(50, changes("u_evaluator.value_sum[1][9]")), Some("linear-evaluator"));
+    assert_eq!(blamed(50, changes("u_evaluator.value_sum[1][8]")), None);
+    // A bank is given away too early, or again.
+    for at in [50, 100] {
+        assert_eq!(blamed(at, changes("u_controller.sent1_given_banks")), Some("array-controller"), "in tick {at}");
+    }
 }
