@@ -137,6 +137,7 @@ fn check(name: &str, block: &impl Block) {
         (1, EngineKind::Both),
         (3, EngineKind::Both),
         (16, EngineKind::Both),
+        (17, EngineKind::Both),
         (64, EngineKind::Compiled),
         (5, EngineKind::Reference),
         (6, EngineKind::Interpreter),
@@ -259,4 +260,25 @@ fn a_run_beyond_the_last() {
 fn an_output_is_not_set() {
     let mut batch = Batch::of(&Mixed, 4).unwrap();
     batch.set_all(batch.o.sum, 1);
+}
+
+block! {
+    /// A lane by a number of the run, and the least of all lanes: both loops need the number of a run's first lane.
+    struct Lanes;
+    in LanesIn { a: bits(65), b: bits(65), at: bits(1) }
+    out LanesOut { both: _ }
+}
+
+impl Lanes {
+    fn build(&self, m: Module, i: LanesIn) -> LanesOut {
+        let lanes = stack([i.a, i.b]);
+        let both = m.reg("both", 1).reset(0);
+        both.next(lanes.minimum().bit(0) & lanes.pick(i.at).bit(0));
+        LanesOut { both: *both }
+    }
+}
+
+#[test]
+fn numbers_of_lanes_that_are_added_to_and_used_as_they_are() {
+    check("lanes", &Lanes);
 }

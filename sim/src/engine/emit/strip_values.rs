@@ -160,8 +160,10 @@ impl Emitter<'_, '_> {
             return;
         }
         let cell = self.function.cell(id);
+        // Numbers of a table are read one by one: the bounds of a vector are its bits, which allow more than the table has.
+        let is_taken = strip.lanes.has(id) && !self.function.is_table(id);
         for lane in 0..strip.size() {
-            if strip.lanes.has(id) {
+            if is_taken {
                 let clean = strip.lanes.extract(self.builder, id, lane);
                 strip.singles[lane as usize].define(id, Scalar::clean(cell.width, clean));
                 continue;
