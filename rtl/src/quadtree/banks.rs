@@ -60,6 +60,16 @@ impl Addresses {
         let behind = cat![y, x.part(0, rest)].zext(width) | (lit(width, 1) << (width - 1));
         mux(x.bit(whole), behind, first)
     }
+
+    /// The same as a number.
+    pub(super) fn number(self, x: u32, y: u32) -> u32 {
+        let line = |part: u32| y << part | x & ((1 << part) - 1);
+        match self.parts() {
+            None => line(below(self.columns).bits()),
+            Some([whole, rest]) if x >> whole & 1 == 1 => 1 << (below(self.depth()).bits() - 1) | line(rest),
+            Some([whole, _]) => line(whole),
+        }
+    }
 }
 
 /// A bank to be built.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::banks::Banks;
+use super::banks::{Addresses, Banks};
 use super::precision::Precision;
 use super::spram::Spram;
 use crate::prelude::*;
@@ -174,6 +174,11 @@ impl Format {
     /// The lines of the screen in which a video processor has pixels.
     pub fn rows(&self) -> u32 {
         self.screen.height.div_ceil(self.matrix.rows)
+    }
+
+    /// The address of a video processor's pixel in the banks of its video buffer.
+    pub fn address(&self, x: u32, y: u32) -> u32 {
+        Addresses::of(self.columns(), self.rows()).number(x, y)
     }
 
     /// n: a video processor's pixels lie within a window of 2^n x 2^n samples, which is divided n times, at least once.

@@ -2,8 +2,6 @@
 
 use std::collections::{HashMap, VecDeque};
 
-use tilewright_rtl::quadtree::format::Format;
-
 use super::pixels::Fragment;
 use super::{Followed, Sim, net};
 use crate::looks::Words;
@@ -55,7 +53,7 @@ impl Buffer {
 
     /// The word of the followed sample in a bank.
     pub fn stored(&mut self, sim: &Sim, bank: u64) -> u64 {
-        let at = address(&self.followed.format, self.followed.x, self.followed.y);
+        let at = self.followed.format.address(self.followed.x, self.followed.y);
         self.banks[bank as usize].word(sim, at)
     }
 
@@ -73,7 +71,7 @@ impl Buffer {
         let colour = 3 * self.followed.format.precision().colour;
         let is_nearer = if self.strict { new >> colour < old >> colour } else { new < old };
         let expected = if is_nearer { new } else { old };
-        let at = address(&self.followed.format, x, y);
+        let at = self.followed.format.address(x, y);
         // A fragment may be outside of the screen, after a unit before this one has failed.
         let is_inside = x < self.followed.format.columns() && y < self.followed.format.rows();
         let stays = if is_inside { self.banks[back as usize].word(sim, at) } else { expected };
@@ -103,21 +101,4 @@ impl Buffer {
         let at = At { unit: "generator".to_owned(), block: "quadtree-generator", edge };
         told.tell(at.step("exchanges the banks", vec![compared("bank being drawn", back, before ^ 1)]).on("back"));
     }
-}
-
-/// The address of a sample in a bank: a line of pixels from a power of two on is behind all others if that saves memory.
-fn address(format: &Format, x: u32, y: u32) -> u32 {
-    let (columns, rows) = (format.columns(), format.rows());
-    let bits = |values: u32| (u32::BITS - (values.max(1) - 1).leading_zeros()).max(1);
-    let whole = columns.ilog2();
-    let rest = columns - (1 << whole);
-    let behind = bits(rest.max(1));
-    let plain = rows << bits(columns);
-    let folded = (1 << (whole + bits(rows))) + (rows << behind);
-    if rest == 0 || folded >= plain {
-        return y << bits(columns) | x;
-    }
-    let first = y << whole | x & ((1 << whole) - 1);
-    let top = bits(folded) - 1;
-    if x >> whole & 1 == 1 { y << behind | x & ((1 << behind) - 1) | 1 << top } else { first }
 }

@@ -125,7 +125,7 @@ fn step(columns: u32, rows: u32) -> impl Strategy<Value = (VideoBufferIn<u64>, b
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The word sent in every clock, with exchanges of the banks at any time.
+    /// The word sent in every clock, with exchanges of the banks at any time, and all words at the end.
     #[test]
     fn it_keeps_the_nearer_word_of_each_pixel(
         (format, steps) in (1..20u32, 1..12u32).prop_flat_map(|(width, height)| {
@@ -152,6 +152,15 @@ proptest! {
             sends |= inputs.scan.enable == 1;
             if sends {
                 prop_assert_eq!(sim.get_u64(sim.o.word), model.sent);
+            }
+        }
+        // A word is written in the clock after its address is read.
+        sim.drive(VideoBufferIn { strict, back, ..IDLE });
+        sim.step();
+        for (bank, words) in model.words.iter().enumerate() {
+            for (pixel, word) in (0..).zip(words) {
+                let at = format.address(pixel % format.columns(), pixel / format.columns());
+                prop_assert_eq!(sim.peek_memory(&format!("bank{bank}"), at), Ok(Bits::new(WORD, *word)), "pixel {}", pixel);
             }
         }
     }
