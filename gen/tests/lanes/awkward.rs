@@ -142,6 +142,23 @@ pub fn read_ahead(depth: u32) -> Module {
     b.module.clone()
 }
 
+/// A grid of memories of this many words, each of which is read when it is told to. All have the address of a lane.
+pub fn masked_reads(depth: u32) -> Module {
+    let b = &mut Build::new("masked_reads");
+    let grid = Shape::Grid(2, 3);
+    let (numbers, on) = (b.input("numbers", 3, Shape::Row(3)), b.input("on", 1, Shape::Plain));
+    let (mask, data) = (b.input("mask", 1, grid), b.input("data", 4, grid));
+    let sums = b.add(numbers, numbers);
+    let [from, to] = [0, 1].map(|lane| b.lane(sums, 0, lane));
+    let id = b.memory("words", depth, 4, grid);
+    b.write(id, on, to, data);
+    let later = b.read(id, true, from, Some(mask));
+    let now = b.read(id, false, from, None);
+    b.output("later", later);
+    b.output("now", now);
+    b.module.clone()
+}
+
 /// Bits of computed and broadcast values, and the selected lane of a row of one.
 pub fn bits_of_lanes() -> Module {
     let b = &mut Build::new("bits_of_lanes");
