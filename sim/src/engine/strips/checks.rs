@@ -129,6 +129,8 @@ fn an_access_that_stays_in_its_allocation_is_shown_to() {
 v4: i64 = sub v0 v3\nv5: i64 = add @0 v4\nv6: i8 = load [v5 + 29]",
         "v0: i64 = shr argument 3\nv1: i64 = mul v0 8\nv2: i64 = sub argument v1\nv3: i64 = add @0 v2
 v4: i8 = load [v3 + 24]",
+        // A difference that is no remainder, because its divisor would be 0.
+        "v0: i64 = shr argument 59\nv1: i64 = mul v0 0\nv2: i64 = sub v0 v1\nv3: i64 = add @0 v2\nv4: i8 = load [v3]",
         // Numbers of 4 bits; a lane of a masked vector; the last lane that exists.
         "v0: i64 = load [state + 128]\nv1: i64 = add @0 v0\nv2: i8x16 = load_unaligned [v1 + 1]",
         "v0: i8x16 = load [state]\nv1: i8x16 = and v0 0x1f\nv2: i8 = lane 3 of i8x16 v1\nv3: i64 = zero_extend i8 v2

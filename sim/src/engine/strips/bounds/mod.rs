@@ -334,7 +334,7 @@ impl Walk<'_> {
             },
             _ => false,
         };
-        (is_quotient && group > 0).then_some(group - 1)
+        if is_quotient { group.checked_sub(1) } else { None }
     }
 }
 
