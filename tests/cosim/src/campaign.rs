@@ -396,6 +396,9 @@ impl fmt::Display for Failure {
             writeln!(f, "so does this: {circuit}")?;
         }
         writeln!(f, "its Verilog is in {}", folder.display())?;
-        write!(f, "again: cargo run --release -p tilewright-cosim -- --seed {seed} --first {number} --designs 1")
+        write!(
+            f,
+            "again: cargo run --profile checked -p tilewright-cosim -- --seed {seed} --first {number} --designs 1"
+        )
     }
 }

@@ -148,7 +148,7 @@ fn in_a_process(kind: Kind, seed: u64, first: u64) -> Result<Tally, String> {
     let rest = printed.split_once(&format!("design {number}\n")).map_or("", |(_, rest)| rest.trim_end());
     Err(format!(
         "design {number} of seed {seed} fails, breaks its process, or takes minutes:\n{rest}\n\
-        again: cargo run --release -p tilewright-cosim -- --shaped {shaped} --fuzz-designs 1 --seed {seed} --first {number}"
+        again: cargo run --profile checked -p tilewright-cosim -- --shaped {shaped} --fuzz-designs 1 --seed {seed} --first {number}"
     ))
 }
 

@@ -1,5 +1,5 @@
 //! The command for long campaigns:
-//! `cargo run --release -p tilewright-cosim -- --designs 100000 --seed 1 --verilator 600`.
+//! `cargo run --profile checked -p tilewright-cosim -- --designs 100000 --seed 1 --verilator 600`.
 
 use std::io::IsTerminal;
 use std::process::ExitCode;
