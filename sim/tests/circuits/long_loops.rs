@@ -1,9 +1,10 @@
 //! Loops of so many operations that they are divided.
 
 use tilewright_hdl::{Design, Module, ReadUnderWrite, Signal, bit, bits, block, elaborate, row};
-use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
+use tilewright_sim::{EngineKind, Pass, Passes, Simulation};
 
 use crate::circuits::random::Random;
+use crate::text_after;
 
 /// A loop may have eight times as many operations: 160.
 const LONGEST: usize = 20;
@@ -14,7 +15,7 @@ fn passes() -> Passes {
 
 /// The number of steps in each loop of an edge.
 fn loops(design: &Design) -> Vec<usize> {
-    let planned = explain(design, &passes()).into_iter().find(|it| it.pass == Pass::Plan).unwrap().text;
+    let planned = text_after(design, Pass::Plan, &passes());
     let edge = planned.split("an edge of").nth(1).expect("the clock has an edge");
     edge.split("loop over").skip(1).map(|text| text.lines().filter(|line| line.starts_with("    ")).count()).collect()
 }

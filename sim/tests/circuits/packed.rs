@@ -5,7 +5,9 @@ use tilewright_hdl::{
     Bits, Design, Module, ReadUnderWrite, bit, bits, block, codes, constants, elaborate, grid, interleave, lit, mux,
     one_of, row, select, stack,
 };
-use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
+use tilewright_sim::{EngineKind, Pass, Passes, Simulation};
+
+use crate::text_after;
 
 codes! {
     /// The processors that write.
@@ -212,8 +214,7 @@ fn packed_bits_are_looked_at_and_replaced_one_by_one() {
 #[test]
 fn bits_are_packed_in_words_as_long_as_what_is_moved_together() {
     for (columns, lanes) in [(64, 64), (16, 16), (128, 64), (24, 8)] {
-        let explained = explain(&square(8, columns, ReadUnderWrite::Any), &passes());
-        let packed = &explained.iter().find(|it| it.pass == Pass::Pack).expect("every pass is explained").text;
+        let packed = text_after(&square(8, columns, ReadUnderWrite::Any), Pass::Pack, &passes());
         for name in ["held", "u_processor.chosen", "u_processor.carry"] {
             let line = packed.lines().find(|line| line.starts_with(&format!("{name}, {lanes} lanes a word ")));
             assert!(line.is_some_and(|line| line.contains("= register")), "{name} of {columns}\n{packed}");
@@ -244,8 +245,7 @@ fn bits_that_change_places_are_the_same_on_both_engines() {
 #[test]
 fn a_row_is_packed_in_one_word() {
     for (lanes, in_a_word) in [(2, 4), (5, 10), (16, 32), (31, 62), (32, 64), (64, 64)] {
-        let explained = explain(&elaborate(&Places { lanes }).unwrap(), &Passes::default());
-        let packed = &explained.iter().find(|it| it.pass == Pass::Pack).expect("every pass is explained").text;
+        let packed = text_after(&elaborate(&Places { lanes }).unwrap(), Pass::Pack, &Passes::default());
         let line = packed.lines().find(|line| line.starts_with(&format!("twice, {in_a_word} lanes a word ")));
         assert!(line.is_some(), "{lanes}\n{packed}");
     }

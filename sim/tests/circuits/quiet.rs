@@ -3,9 +3,10 @@
 use tilewright_hdl::{
     Module, ReadUnderWrite, Signal, bit, bits, block, case, constants, elaborate, lit, mux, row, select,
 };
-use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
+use tilewright_sim::{EngineKind, Pass, Passes, Simulation};
 
 use crate::circuits::random::Random;
+use crate::text_after;
 
 block! {
     /// Rows of registers and of memories, changed by an operation that all lanes share.
@@ -88,7 +89,7 @@ fn run(seed: u64) -> usize {
         let edges = random.one(&[1, 1, 2, 9]);
         sim.try_run(edges).unwrap_or_else(|error| panic!("{error}, at step {step} of circuit {seed}"));
     }
-    let branched = explain(&design, &passes).into_iter().find(|it| it.pass == Pass::Branch).unwrap().text;
+    let branched = text_after(&design, Pass::Branch, &passes);
     let parts = branched.lines().filter_map(|line| line.split_once(": in ")?.1.strip_suffix(" loops")?.parse().ok());
     parts.max().unwrap_or(0)
 }
@@ -125,7 +126,7 @@ impl Apart {
 #[test]
 fn parts_keep_their_order_and_what_others_take_of_them() {
     let design = elaborate(&Apart).unwrap();
-    let branched = explain(&design, &Passes::default()).into_iter().find(|it| it.pass == Pass::Branch).unwrap().text;
+    let branched = text_after(&design, Pass::Branch, &Passes::default());
     assert!(branched.contains(": in 2 loops"), "the loop is parted:\n{branched}");
     let (mut random, mut sim) = (Random::new(3), Simulation::of(&Apart).unwrap().on(EngineKind::Both));
     for _ in 0..100 {
@@ -195,7 +196,7 @@ fn loops_rest_while_no_lane_has_a_flag() {
         let design = elaborate(&Chains { seed }).unwrap();
         let mut random = Random::new(seed);
         let passes = Passes { looks_after: random.one(&[3, u64::MAX]), ..Passes::default() };
-        let branched = explain(&design, &passes).into_iter().find(|it| it.pass == Pass::Branch).unwrap().text;
+        let branched = text_after(&design, Pass::Branch, &passes);
         rest += usize::from(branched.contains("= or of 16 lanes of") && branched.contains("1: nothing"));
         let mut sim = Simulation::with_passes(&design, &passes).unwrap().seeded(seed).on(EngineKind::Both);
         let ports = ["valid", "ready", "x"].map(|name| sim.port(name).unwrap());

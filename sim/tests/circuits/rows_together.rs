@@ -1,9 +1,10 @@
 //! Rows that are joined, and values that are split into lanes, when both have the same layout in memory.
 
 use tilewright_hdl::{Module, bits, block, elaborate, grid, row, stack};
-use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
+use tilewright_sim::{EngineKind, Pass, Passes, Simulation};
 
 use crate::circuits::random::Random;
+use crate::text_after;
 
 block! {
     /// Rows from inputs, from words and computed ones, which neighbours read; and all lanes of one in a value.
@@ -33,7 +34,7 @@ fn run(gatherer: &Gatherer, seed: u64) {
     let Gatherer { rows, columns, width } = *gatherer;
     let design = elaborate(gatherer).unwrap();
     let mut random = Random::new(seed);
-    let text = explain(&design, &Passes::default()).into_iter().find(|it| it.pass == Pass::Lower).unwrap().text;
+    let text = text_after(&design, Pass::Lower, &Passes::default());
     for kept in [format!("{columns} parts of word"), format!("groups of {columns} lanes")] {
         assert!(text.contains(&kept), "{gatherer:?} has no `{kept}`:\n{text}");
     }

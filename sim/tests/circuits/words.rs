@@ -1,9 +1,10 @@
 //! Some of many adjacent words at an address: only the selected ones are read, and they are correct.
 
 use tilewright_hdl::{Block, Clock, Module, Period, ReadUnderWrite, bit, bits, block, constants, elaborate, grid, row};
-use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
+use tilewright_sim::{EngineKind, Pass, Passes, Simulation};
 
 use crate::circuits::random::Random;
+use crate::text_after;
 
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
@@ -32,7 +33,7 @@ impl Picker {
 fn run<B: Block>(picker: &B, seed: u64) {
     let design = elaborate(picker).unwrap();
     let mut random = Random::new(seed);
-    let planned = explain(&design, &Passes::default()).into_iter().find(|it| it.pass == Pass::Plan).unwrap().text;
+    let planned = text_after(&design, Pass::Plan, &Passes::default());
     assert!(planned.lines().any(|line| line.contains("= lane ") && line.contains(" of words[")), "{planned}");
     let mut sim = Simulation::from_design(&design).unwrap().seeded(seed % 2).on(EngineKind::Both);
     let ports = ["at", "column", "to", "go"].map(|name| sim.port(name).unwrap());

@@ -13,7 +13,9 @@ mod units;
 mod versions;
 
 use tilewright_hdl::{Block, elaborate};
-use tilewright_sim::{Pass, Passes, explain};
+use tilewright_sim::{Pass, Passes};
+
+use crate::text_after;
 
 /// The result of a pass for a block, without the source places.
 fn after<B: Block>(block: &B, pass: Pass) -> String {
@@ -23,8 +25,8 @@ fn after<B: Block>(block: &B, pass: Pass) -> String {
 /// Like [`after`], with other than the default passes.
 fn after_with<B: Block>(block: &B, pass: Pass, passes: &Passes) -> String {
     let design = elaborate(block).unwrap();
-    let explained = explain(&design, passes).into_iter().find(|it| it.pass == pass).expect("every pass is explained");
-    let lines = explained.text.lines().map(|line| line.split("   sim/tests/").next().unwrap_or(line).trim_end());
+    let text = text_after(&design, pass, passes);
+    let lines = text.lines().map(|line| line.split("   sim/tests/").next().unwrap_or(line).trim_end());
     lines.map(|line| format!("{line}\n")).collect()
 }
 
