@@ -106,3 +106,19 @@ fn lanes_are_taken_from_a_row_of_one() {
     b.output("state_out", state);
     run(vec![b.module.clone()]);
 }
+
+#[test]
+fn a_write_that_never_happens_is_found_late() {
+    let b = &mut Build::new("top");
+    let row = Shape::Row(5);
+    let (flags, data, at) = (b.input("flags", 1, row), b.input("data", 4, row), b.input("at", 3, Shape::Plain));
+    // The sum of a lane is its number, which no flag has.
+    let number = b.constant(4, 9, Shape::Row(1));
+    let number = b.reduce(Reduction::Add, number, 0);
+    let enable = b.pick(flags, 0, number);
+    let memory = b.memory("words", 8, 4, row);
+    b.write(memory, enable, at, data);
+    let word = b.read(memory, true, at, None);
+    b.output("word", word);
+    run(vec![b.module.clone()]);
+}

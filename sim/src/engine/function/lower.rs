@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 use tilewright_circuit::Bits;
 use tilewright_circuit::ir::Binary;
 
-use super::{Became, Function, Sink};
+use super::{Became, Function, Sink, happening};
 use crate::engine::Passes;
 use crate::engine::layout::memory_at::MemoryAt;
 use crate::engine::layout::strip_sizes::StripSizes;
@@ -49,14 +49,9 @@ pub(crate) fn lower(
     let target = Target { strips, memories, passes, written: written.collect() };
     let mut lowered = function.rebuild(Rewriter::new(passes), |rewriter, cell| target.lower(rewriter, cell));
     let Function { rewriter, sinks } = &mut lowered.0;
-    for sink in sinks {
-        target.write(rewriter, sink);
-        if let Sink::Show(value) = sink
-            && rewriter.circuit().constant(*value).is_some()
-        {
-            *value = rewriter.copy(*value);
-        }
-    }
+    // Some conditions turn out to be constant only here.
+    *sinks = std::mem::take(sinks).into_iter().filter_map(|sink| happening(rewriter.circuit(), sink)).collect();
+    sinks.iter_mut().for_each(|sink| target.sink(rewriter, sink));
     lowered
 }
 
@@ -118,14 +113,19 @@ impl Target<'_> {
         at.words.together() && at.width <= 64 && !self.written.contains(&memory)
     }
 
-    /// The stored form of the written word, and the enable in existing lanes only.
-    fn write(&self, rewriter: &mut Rewriter, sink: &mut Sink) {
-        let Sink::Write { memory, enable, data, .. } = sink else { return };
-        let lanes = rewriter.circuit()[*enable].lanes;
-        *data = standing(rewriter, &self.memories[*memory as usize], *data);
-        if lanes > 1 && !lanes.is_multiple_of(self.strips.strip(lanes)) {
-            let existing = flags(rewriter, lanes, lanes, |_| true);
-            *enable = rewriter.add(Kind::Binary(Binary::And, *enable, existing), lanes, 1);
+    /// Writes the stored form of a word, in existing lanes only, and computes what is shown.
+    fn sink(&self, rewriter: &mut Rewriter, sink: &mut Sink) {
+        match sink {
+            Sink::Write { memory, enable, data, .. } => {
+                let lanes = rewriter.circuit()[*enable].lanes;
+                *data = standing(rewriter, &self.memories[*memory as usize], *data);
+                if lanes > 1 && !lanes.is_multiple_of(self.strips.strip(lanes)) {
+                    let existing = flags(rewriter, lanes, lanes, |_| true);
+                    *enable = rewriter.add(Kind::Binary(Binary::And, *enable, existing), lanes, 1);
+                }
+            }
+            Sink::Show(value) if rewriter.circuit().constant(*value).is_some() => *value = rewriter.copy(*value),
+            _ => {}
         }
     }
 }
