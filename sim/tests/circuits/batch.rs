@@ -263,7 +263,8 @@ fn an_output_is_not_set() {
 }
 
 block! {
-    /// A lane by a number of the run, and the least of all lanes: both loops need the number of a run's first lane.
+    /// The least of two lanes, and one of them by number. A loop over the runs has the number of a run's first lane in a
+    /// table: it reads that lane, and adds to the number.
     struct Lanes;
     in LanesIn { a: bits(65), b: bits(65), at: bits(1) }
     out LanesOut { both: _ }
@@ -279,6 +280,6 @@ impl Lanes {
 }
 
 #[test]
-fn numbers_of_lanes_that_are_added_to_and_used_as_they_are() {
+fn numbers_of_lanes_in_a_table() {
     check("lanes", &Lanes);
 }
