@@ -107,12 +107,12 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     wire [31:0] value_choice_2 = (lower == number[1]) ? 32'd0 : {14'd0, step_y, 1'b0}; // rtl/src/quadtree/coverage_test.rs:160
     wire [31:0] value = edge_of_window - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:134
     wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:138
-    assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:342
-    assign parts_window_bounds_top = held_window_bounds_top - (number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:342
-    wire misses_or_2 = parts_window_bounds_left[12] | parts_window_bounds_top[12]; // rtl/src/quadtree/format.rs:356
-    assign parts_window_bounds_right = held_window_bounds_right - (!number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:342
-    wire misses_or = misses_or_2 | parts_window_bounds_right[12]; // rtl/src/quadtree/format.rs:356
-    assign parts_window_bounds_bottom = held_window_bounds_bottom - (!number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:342
+    assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:347
+    assign parts_window_bounds_top = held_window_bounds_top - (number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:347
+    wire misses_or_2 = parts_window_bounds_left[12] | parts_window_bounds_top[12]; // rtl/src/quadtree/format.rs:361
+    assign parts_window_bounds_right = held_window_bounds_right - (!number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:347
+    wire misses_or = misses_or_2 | parts_window_bounds_right[12]; // rtl/src/quadtree/format.rs:361
+    assign parts_window_bounds_bottom = held_window_bounds_bottom - (!number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:347
     wire misses = is_outside | (misses_or | parts_window_bounds_bottom[12]); // rtl/src/quadtree/coverage_test.rs:83
     wire fails = tests & is_last & misses;                       // rtl/src/quadtree/coverage_test.rs:85
     wire ready = moves & (step == 3'd3);                         // rtl/src/quadtree/coverage_test.rs:94

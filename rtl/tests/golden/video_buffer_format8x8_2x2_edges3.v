@@ -42,11 +42,11 @@ module video_buffer_format8x8_2x2_edges3 (
     reg [47:0] passed1;                                          // rtl/src/quadtree/video_buffer.rs:88
 
     (* no_rw_check *)
-    reg [47:0] bank0 [0:15];                                     // rtl/src/quadtree/banks.rs:83
-    reg [47:0] bank0_read;                                       // rtl/src/quadtree/banks.rs:84
+    reg [47:0] bank0 [0:15];                                     // rtl/src/quadtree/banks.rs:93
+    reg [47:0] bank0_read;                                       // rtl/src/quadtree/banks.rs:94
     (* no_rw_check *)
-    reg [47:0] bank1 [0:15];                                     // rtl/src/quadtree/banks.rs:83
-    reg [47:0] bank1_read;                                       // rtl/src/quadtree/banks.rs:84
+    reg [47:0] bank1 [0:15];                                     // rtl/src/quadtree/banks.rs:93
+    reg [47:0] bank1_read;                                       // rtl/src/quadtree/banks.rs:94
 
     initial begin : bank0_contents
         integer i;
