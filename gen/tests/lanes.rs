@@ -133,8 +133,7 @@ fn constants_that_choices_pass_on() {
     clean(vec![awkward::least_of_some_constants()]);
 }
 
-/// A depth that needs a guard, and one that does not.
-/// Up to a depth that is no power of two, each lane gates its own reads, so it has a memory of its own.
+/// Where a read beyond the depth is gated, each lane gates its own, so it has a memory of its own.
 #[test]
 fn memories_that_share_an_address() {
     for (depth, memory) in [(8, "reg [23:0] words [0:7];"), (5, "reg [3:0] words [0:4];")] {
@@ -143,6 +142,7 @@ fn memories_that_share_an_address() {
     }
 }
 
+/// A depth that needs a guard, and one that does not.
 #[test]
 fn data_that_is_read_before_its_memory() {
     for depth in [8, 5] {
