@@ -122,3 +122,48 @@ fn a_write_that_never_happens_is_found_late() {
     b.output("word", word);
     run(vec![b.module.clone()]);
 }
+
+#[test]
+fn a_row_of_one_number_is_repeated_in_another_function() {
+    a_row_of_one_number_is_repeated(|b, number| b.not(number));
+}
+
+#[test]
+fn a_row_of_one_register_is_repeated_after_the_register_has_changed() {
+    a_row_of_one_number_is_repeated(|b, number| b.delayed("kept", number));
+}
+
+/// What `made` gives, in the lanes of a row, then of grids, then of all grids for instances that run side by side;
+/// other work lies between the first and the last.
+fn a_row_of_one_number_is_repeated(made: fn(&mut Build, NodeId) -> NodeId) {
+    let child = &mut Build::new("child");
+    let grid = child.input("grid", 16, Shape::Grid(4, 4));
+    let row = child.lane(grid, 0, 0);
+    let rows = child.broadcast(row, 0, 4);
+    let inverse = child.not(rows);
+    let twice = child.add(rows, rows);
+    let mixed = child.xor(inverse, twice);
+    child.output("mixed", mixed);
+    child.module.clocks[0].period = None;
+
+    let b = &mut Build::new("top");
+    let number = b.input("number", 16, Shape::Plain);
+    let number = made(b, number);
+    let grid = b.everywhere(number, Shape::Grid(4, 4));
+    let start = b.input("start", 16, Shape::Row(5));
+    let mut other = start;
+    for _ in 0..20 {
+        let inverse = b.not(other);
+        let either = b.or(start, inverse);
+        other = b.add(other, either);
+    }
+    let other = b.lane(other, 0, 0);
+    let other = b.everywhere(other, Shape::Grid(4, 4));
+    for number in 0..5 {
+        let mixed = b.instance(&format!("u{number}"), 0, &child.module, Shape::Plain, &[grid])[0];
+        let all = b.xor(mixed, other);
+        let state = b.delayed(&format!("state{number}"), all);
+        b.output(&format!("all{number}"), state);
+    }
+    run(vec![child.module.clone(), b.module.clone()]);
+}

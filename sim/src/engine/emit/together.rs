@@ -56,16 +56,20 @@ impl Emitter<'_, '_> {
         }
     }
 
-    /// One lane, known at compile time, of an array, as a scalar.
+    /// One lane, known at compile time, of an array, as a scalar. What is stored is read: another function may have
+    /// stored it, and what it repeats may have changed since.
     fn element(&mut self, of: ValueId, lane: u32) -> ValueId {
         let id = self.id();
+        let is_stored = self.addresses.has(of);
         match &self.function.cell(of).kind {
             Kind::Const(bits) => self.scalars.constant(self.builder, id, bits),
-            Kind::Broadcast { of: plain, .. } if self.function.cell(*plain).lanes == 1 => {
+            Kind::Broadcast { of: plain, .. } if !is_stored && self.function.cell(*plain).lanes == 1 => {
                 self.want(*plain);
                 return *plain;
             }
-            Kind::Broadcast { of: row, axis } if axis.inner > 1 => return self.element(*row, lane % axis.inner),
+            Kind::Broadcast { of: row, axis } if !is_stored && axis.inner > 1 => {
+                return self.element(*row, lane % axis.inner);
+            }
             _ => {
                 let place = self.addresses.of(of);
                 let (base, at) = (self.base(place), offset(place.lane(lane)));

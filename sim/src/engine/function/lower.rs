@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 use tilewright_circuit::Bits;
 use tilewright_circuit::ir::Binary;
 
-use super::{Became, Function, Sink, happening};
+use super::{Became, Function, Sink};
 use crate::engine::Passes;
 use crate::engine::layout::memory_at::MemoryAt;
 use crate::engine::layout::strip_sizes::StripSizes;
@@ -47,12 +47,11 @@ pub(crate) fn lower(
         _ => None,
     });
     let target = Target { strips, memories, passes, written: written.collect() };
-    let mut lowered = function.rebuild(Rewriter::new(passes), |rewriter, cell| target.lower(rewriter, cell));
-    let Function { rewriter, sinks } = &mut lowered.0;
+    let (lowered, became) = function.rebuild(Rewriter::new(passes), |rewriter, cell| target.lower(rewriter, cell));
     // Some conditions turn out to be constant only here.
-    *sinks = std::mem::take(sinks).into_iter().filter_map(|sink| happening(rewriter.circuit(), sink)).collect();
-    sinks.iter_mut().for_each(|sink| target.sink(rewriter, sink));
-    lowered
+    let Function { mut rewriter, mut sinks } = lowered.happening();
+    sinks.iter_mut().for_each(|sink| target.sink(&mut rewriter, sink));
+    (Function { rewriter, sinks }, became)
 }
 
 impl Target<'_> {

@@ -135,6 +135,13 @@ impl Function {
         self.circuit().needed(roots)
     }
 
+    /// The function without sinks that never happen.
+    pub fn happening(self) -> Function {
+        let Function { rewriter, sinks } = self;
+        let sinks = sinks.into_iter().filter_map(|sink| happening(rewriter.circuit(), sink)).collect();
+        Function { rewriter, sinks }
+    }
+
     /// The function with every needed operation made anew by `make`.
     pub fn rebuild(&self, rewriter: Rewriter, make: impl FnMut(&mut Rewriter, Cell) -> ValueId) -> (Function, Became) {
         let mut rewriter = rewriter;
@@ -239,9 +246,7 @@ impl<'a> Maker<'a> {
 
     /// The function, without sinks that never happen, and the values of the program in it.
     pub fn finish(self) -> (Function, Became) {
-        let Function { rewriter, sinks } = self.function;
-        let sinks = sinks.into_iter().filter_map(|sink| happening(rewriter.circuit(), sink)).collect();
-        (Function { rewriter, sinks }, self.became)
+        (self.function.happening(), self.became)
     }
 
     /// Stores values for a testbench.
