@@ -13,7 +13,7 @@ mod modules;
 use crate::golden::compare::compare;
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};
 use tilewright_hdl::Design;
-use tilewright_hdl::ir::Module;
+use tilewright_hdl::ir::{Module, Shape};
 
 fn print(modules: Vec<Module>) -> Vec<VerilogFile> {
     verilog(&Design::new(modules).unwrap_or_else(|problems| panic!("{problems}")))
@@ -137,9 +137,18 @@ fn constants_that_choices_pass_on() {
 #[test]
 fn memories_that_share_an_address() {
     for (depth, memory) in [(8, "reg [23:0] words [0:7];"), (5, "reg [3:0] words [0:4];")] {
-        let text = clean(vec![awkward::masked_reads(depth)]);
+        let text = clean(vec![awkward::masked_reads(Shape::Grid(2, 3), depth)]);
         assert!(text.contains(memory), "{text}");
     }
+}
+
+/// Verilator 5.006 does not take a loop over 4096 lanes. Yosys has no room for so many, so no linter reads them.
+#[test]
+fn so_many_memories_that_share_an_address_that_a_loop_is_in_another() {
+    let text = &print(vec![awkward::masked_reads(Shape::Grid(64, 64), 8)])[0].text;
+    assert!(text.contains("for (i = 0; i < 64; i = i + 1) begin : words_lane"), "{text}");
+    assert!(text.contains("for (j = 0; j < 64; j = j + 1) begin : words_part"), "{text}");
+    behaves(vec![awkward::masked_reads(Shape::Grid(40, 26), 8)]);
 }
 
 /// A depth that needs a guard, and one that does not.

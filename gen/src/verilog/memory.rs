@@ -3,6 +3,7 @@
 //! A read beyond the depth gives zero. If an address can go that far, the raw word and a flag are registered, and the
 //! data is gated after them: the array itself keeps the form that block RAM needs.
 
+use super::group::block;
 use super::layout::{generate, range, with_place};
 use super::literal::{Style, literal};
 use super::printer::Printer;
@@ -114,10 +115,15 @@ impl Printer<'_> {
         if lanes == 1 {
             return Vec::new();
         }
-        let i = self.loop_variable(0);
+        let [outer, inner] = loops(lanes);
+        let i = match inner {
+            1 => self.loop_variable(0),
+            _ => format!("{} * {inner} + {}", self.loop_variable(0), self.loop_variable(1)),
+        };
         let lane = match memory.width / lanes {
             1 => format!("[{i}]"),
-            width => format!("[{i} * {width} +: {width}]"),
+            width if inner == 1 => format!("[{i} * {width} +: {width}]"),
+            width => format!("[({i}) * {width} +: {width}]"),
         };
         let mut body = Vec::new();
         for write in writes {
@@ -132,11 +138,14 @@ impl Printer<'_> {
             let assign = Statement::Assign(format!("{}{lane} <= {word}{lane};", names.data));
             body.extend(self.when_lane(read.enable.expect("a mask"), &i, assign));
         }
-        let label = self.label(&format!("{}_lane", memory.name));
-        let head = format!("{} begin : {label}", self.for_lanes(0, lanes));
         let mut always = self.always_at(clock, &body);
         always.pop();
-        let mut out = generate(head, always);
+        if inner > 1 {
+            let label = self.label(&format!("{}_part", memory.name));
+            always = block(format!("{} begin : {label}", self.for_lanes(1, inner)), always);
+        }
+        let label = self.label(&format!("{}_lane", memory.name));
+        let mut out = generate(format!("{} begin : {label}", self.for_lanes(0, outer)), always);
         out.push(String::new());
         out
     }
@@ -196,5 +205,16 @@ impl Printer<'_> {
             }
             _ => body,
         }
+    }
+}
+
+/// The turns of a loop over this many lanes, and those of one within it. Tools end a loop that seems to have no end:
+/// Verilator 5.006 takes 3072 turns.
+fn loops(lanes: u32) -> [u32; 2] {
+    const MOST: u32 = 1024;
+    let is_square = |outer: &u32| lanes.is_multiple_of(*outer) && outer * outer >= lanes;
+    match (2..=MOST).find(is_square) {
+        Some(outer) if lanes > MOST => [outer, lanes / outer],
+        _ => [lanes, 1],
     }
 }

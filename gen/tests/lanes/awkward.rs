@@ -143,9 +143,8 @@ pub fn read_ahead(depth: u32) -> Module {
 }
 
 /// A grid of memories of this many words, each of which is read when it is told to. All have the address of a lane.
-pub fn masked_reads(depth: u32) -> Module {
+pub fn masked_reads(grid: Shape, depth: u32) -> Module {
     let b = &mut Build::new("masked_reads");
-    let grid = Shape::Grid(2, 3);
     let (numbers, on) = (b.input("numbers", 3, Shape::Row(3)), b.input("on", 1, Shape::Plain));
     let (mask, data) = (b.input("mask", 1, grid), b.input("data", 4, grid));
     let sums = b.add(numbers, numbers);
