@@ -232,6 +232,10 @@ fn what_rows_get_wrong() {
         ("clk 1;", "line 1: `1;` is no port, pin or setting: use letters, digits, `_`, `[`, `]`, `-` and `.`"),
         ("clk 1 =4", "line 1: `=4` is no setting: write it as NAME=VALUE, such as `DRIVE=4`"),
         ("clk 1 A B", "line 1: `B` is the second setting of its kind: give one io type, pull and NAME=VALUE each"),
+        (
+            "clk 1 A=1 B=2 C=3 A=4",
+            "line 1: `A=4` is the second setting of its kind: give one io type, pull and NAME=VALUE each",
+        ),
         ("cal 1", "line 1: the chip has no port `cal`: did you mean `call`?"),
         ("zz 1 # no", "line 1: the chip has no port `zz`: its ports are `call`, `clk`, `count`, `rst`"),
         ("count 1", "line 1: `count` has 4 bits: write a row for each, `count[0]` to `count[3]`"),

@@ -142,6 +142,13 @@ fn memories_that_share_an_address() {
     }
 }
 
+#[test]
+fn memories_that_are_read_together_or_in_some_lanes() {
+    let text = clean(vec![awkward::read_together()]);
+    assert!(text.contains("if (on) words_read0 <= words[at];"), "{text}");
+    assert!(text.contains("if (words_read_enable[i]) words_read1[i * 4 +: 4] <= words[at][i * 4 +: 4];"), "{text}");
+}
+
 /// Verilator 5.006 does not take a loop over 4096 lanes. Yosys has no room for so many, so no linter reads them.
 #[test]
 fn so_many_memories_that_share_an_address_that_a_loop_is_in_another() {

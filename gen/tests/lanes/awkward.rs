@@ -158,6 +158,23 @@ pub fn masked_reads(grid: Shape, depth: u32) -> Module {
     b.module.clone()
 }
 
+/// A row of memories with a common address, all of which are read when a bit says so; and a port that reads some.
+pub fn read_together() -> Module {
+    let b = &mut Build::new("read_together");
+    let row = Shape::Row(3);
+    let (at, on, data) = (b.input("at", 3, Shape::Plain), b.input("on", 1, Shape::Plain), b.input("data", 4, row));
+    let id = b.memory("words", 8, 4, row);
+    b.write(id, on, at, data);
+    let flags = b.everywhere(on, row);
+    let all = b.read(id, true, at, Some(flags));
+    let flags = [1, 0, 1].map(|flag| b.constant(1, flag, Shape::Plain));
+    let flags = b.stack(&flags, 0);
+    let some = b.read(id, true, at, Some(flags));
+    b.output("all", all);
+    b.output("some", some);
+    b.module.clone()
+}
+
 /// Bits of computed and broadcast values, and the selected lane of a row of one.
 pub fn bits_of_lanes() -> Module {
     let b = &mut Build::new("bits_of_lanes");

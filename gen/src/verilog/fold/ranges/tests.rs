@@ -3,7 +3,7 @@
 use super::interval::highest;
 use super::*;
 use crate::verilog::fold::fold;
-use tilewright_circuit::ir::{Binary, Relation, Unary};
+use tilewright_circuit::ir::{Binary, Relation, Shift, Unary};
 use tilewright_hdl::*;
 
 block! {
@@ -32,7 +32,7 @@ impl Walk {
                 flags[below(flags.len() as u64) as usize],
             );
             let number = below(16);
-            match below(16) {
+            match below(18) {
                 0 => flags.push(v.lt(number)),
                 1 => flags.push(v.ge(w)),
                 2 | 3 => flags.push(v.eq(number)),
@@ -47,6 +47,8 @@ impl Walk {
                 12 => values.push(select([(f, v), (g, w)], number)),
                 13 => values.push(case(v, [(number, w), (number ^ 3, v)], lit(4, below(16)))),
                 14 => values.push(cat![v.slice(1..4), f]),
+                15 => values.push(v.slice(0..3).sext(4)),
+                16 => values.push(v >> w),
                 _ => values.push((v ^ w) & number),
             }
         }
@@ -69,6 +71,10 @@ fn values(module: &ir::Module, order: &[NodeId], registers: &[u64], inputs: [u64
             Op::Input(input) => inputs[*input as usize],
             Op::Register(register) => registers[register.0 as usize],
             Op::Wire(a) | Op::Extend { of: a, signed: false } => of(*a),
+            Op::Extend { of: a, signed: true } => {
+                let sign = 1 << (module.width(*a) - 1);
+                (of(*a) ^ sign).wrapping_sub(sign)
+            }
             Op::Unary(Unary::Not, a) => !of(*a),
             Op::Binary(Binary::And, a, b) => of(*a) & of(*b),
             Op::Binary(Binary::Or, a, b) => of(*a) | of(*b),
@@ -94,6 +100,7 @@ fn values(module: &ir::Module, order: &[NodeId], registers: &[u64], inputs: [u64
                 let is_subject = |key: &Bits| key.to_u64() == Some(of(*subject));
                 of(arms.iter().find(|(key, _)| is_subject(key)).map_or(*default, |arm| arm.1))
             }
+            Op::Shift(Shift::Right, a, by) => of(*a) >> of(*by),
             Op::Slice { of: a, low } => of(*a) >> low,
             Op::Concat(parts) => parts.iter().fold(0, |all, part| all << module.width(*part) | of(*part)),
             Op::Repeat(a, times) => {
