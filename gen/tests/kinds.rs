@@ -123,6 +123,17 @@ fn a_read_is_gated_where_its_address_can_be_beyond_the_depth() {
                 read(m, i, mux(at.ge(400), 0, at))
             }),
         ),
+        (
+            "later",
+            false,
+            clean("later", |m, i| {
+                let at = m.reg("later", 9).reset(0);
+                at.next(counter(m, 399));
+                read(m, i, *at)
+            }),
+        ),
+        ("every_26th", false, clean("every_26th", |m, i| read(m, i, (i.a.slice(0..4) * lit(5, 26)).trunc(9)))),
+        ("every_27th", true, clean("every_27th", |m, i| read(m, i, (i.a.slice(0..4) * lit(5, 27)).trunc(9)))),
         // A register without a reset starts with any value.
         (
             "no_reset",

@@ -32,7 +32,7 @@ impl Walk {
                 flags[below(flags.len() as u64) as usize],
             );
             let number = below(16);
-            match below(18) {
+            match below(19) {
                 0 => flags.push(v.lt(number)),
                 1 => flags.push(v.ge(w)),
                 2 | 3 => flags.push(v.eq(number)),
@@ -49,6 +49,7 @@ impl Walk {
                 14 => values.push(cat![v.slice(1..4), f]),
                 15 => values.push(v.slice(0..3).sext(4)),
                 16 => values.push(v >> w),
+                17 => values.push(v.slice(0..2) * w.slice(2..4)),
                 _ => values.push((v ^ w) & number),
             }
         }
@@ -80,6 +81,7 @@ fn values(module: &ir::Module, order: &[NodeId], registers: &[u64], inputs: [u64
             Op::Binary(Binary::Or, a, b) => of(*a) | of(*b),
             Op::Binary(Binary::Xor, a, b) => of(*a) ^ of(*b),
             Op::Binary(Binary::Add, a, b) => of(*a).wrapping_add(of(*b)),
+            Op::Binary(Binary::Mul, a, b) => of(*a) * of(*b),
             Op::Binary(Binary::Sub, a, b) => of(*a).wrapping_sub(of(*b)),
             Op::Compare { relation, operands: [a, b], .. } => {
                 let (a, b) = (of(*a), of(*b));
