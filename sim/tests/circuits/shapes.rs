@@ -167,3 +167,17 @@ fn a_row_of_one_number_is_repeated(made: fn(&mut Build, NodeId) -> NodeId) {
     }
     run(vec![child.module.clone(), b.module.clone()]);
 }
+
+#[test]
+fn bits_become_lanes_along_each_axis() {
+    let b = &mut Build::new("top");
+    let words = b.input("words", 8, Shape::Row(3));
+    let inverse = b.not(words);
+    for axis in 0..2 {
+        let bits = b.unpack(inverse, axis, 8);
+        b.output(&format!("bits{axis}"), bits);
+        let state = b.delayed(&format!("state{axis}"), bits);
+        b.output(&format!("state_out{axis}"), state);
+    }
+    run(vec![b.module.clone()]);
+}
