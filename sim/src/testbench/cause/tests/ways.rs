@@ -1,7 +1,7 @@
 //! Ways back through the clocks of small circuits.
 
 use tilewright_circuit::{Clock, Period, ReadUnderWrite};
-use tilewright_hdl::{Module, bit, bits, block, def, mux, row};
+use tilewright_hdl::{Module, bit, bits, block, def, grid, mux, row};
 
 use crate::testbench::cause::{Cause, End, Limits};
 use crate::{EngineKind, Error, Simulation, Vcd};
@@ -150,6 +150,40 @@ fn a_memory_has_causes_by_its_words_alone() {
         assert_eq!(sim.why(name).unwrap_err().to_string(), words(name, &first, &last));
     }
     assert!(sim.why("drawers[1][3]").is_ok());
+}
+
+block! {
+    /// Three such memories.
+    struct Desk;
+    in DeskIn { put: bit(), at: bits(2), what: bits(8).of(grid(3, 2)) }
+    out DeskOut { seen: bits(8).of(grid(3, 2)) }
+}
+
+impl Desk {
+    fn build(&self, m: Module, i: DeskIn) -> DeskOut {
+        let desk = m.array("u_drawers", 3, &Drawers, |_| DrawersIn { put: i.put, at: i.at, what: i.what });
+        DeskOut { seen: desk.seen }
+    }
+}
+
+#[test]
+fn a_memory_in_an_array_is_named_with_both_lanes() -> Result<(), Error> {
+    let mut sim = Simulation::of(&Desk)?;
+    sim.remember(1 << 20);
+    sim.set(sim.i.put, 1);
+    sim.set(sim.i.at, 3);
+    sim.set(sim.i.what, 0x0605_0403_0201_u64);
+    sim.step();
+    let cause = lines(&sim.why("u_drawers[2].seen[1]")?);
+    assert_eq!(
+        cause[..3],
+        [
+            "u_drawers[2].seen[1] = 6  cycle 1",
+            "  from u_drawers[2].drawers[1][3] = 6  cycle 1",
+            "    from what[2][1] = 6  cycle 0  input"
+        ]
+    );
+    Ok(())
 }
 
 block! {
