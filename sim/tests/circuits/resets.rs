@@ -174,6 +174,23 @@ fn a_trace_shows_the_level_of_the_port() {
     );
 }
 
+/// The count goes back at 40 ns, between two edges of its own clock.
+#[test]
+fn a_trace_sees_what_a_reset_of_another_clock_does() {
+    for engine in ENGINES {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("clocks.vcd");
+        let mut sim = Simulation::of(&TwoClocks).unwrap().on(engine);
+        sim.trace(Vcd::to(&file).only("video_count")).unwrap();
+        sim.run_to(40_000);
+        sim.set_reset(VIDEO, true);
+        sim.run_to(70_000);
+        sim.finish().unwrap();
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.replace('\n', " ").contains(" #40000 b0 # "), "{engine:?}\n{text}");
+    }
+}
+
 #[test]
 #[should_panic(expected = "clock `clk` has no reset: its registers have their values at power-on in a new simulation")]
 fn what_has_no_reset_cannot_be_reset() {
