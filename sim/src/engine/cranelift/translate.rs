@@ -1,6 +1,8 @@
 //! From a strip program to Cranelift's instructions.
 
 #[cfg(test)]
+mod accepted;
+#[cfg(test)]
 mod tests;
 
 use cranelift_codegen::ir::condcodes::IntCC;

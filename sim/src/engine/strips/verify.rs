@@ -88,7 +88,7 @@ impl Check<'_> {
     fn is_integer(&self, value: Value) -> Result<(), String> {
         self.usable(value)?;
         let ty = self.ty(value);
-        self.demand(!ty.is_vector() && !ty.is_float(), value, &format!("is {ty} in place of an integer"))
+        self.demand(is_integer(ty), value, &format!("is {ty} in place of an integer"))
     }
 
     fn alike(&self, values: &[Value], types: &[Value]) -> Result<(), String> {
@@ -187,9 +187,7 @@ impl Check<'_> {
     fn operation(&self, operation: &Operation, ty: Type, value: Value) -> Result<(), String> {
         match operation {
             Operation::Parameter => self.demand(false, value, "is a parameter and not computed"),
-            Operation::Constant(_) => {
-                self.demand(!ty.is_vector() && !ty.is_float(), value, "is a constant and no integer")
-            }
+            Operation::Constant(_) => self.demand(is_integer(ty), value, "is a constant and no integer"),
             Operation::Address(_) => self.demand(ty == Type::ADDRESS, value, "is an address of another type"),
             Operation::Bytes(bytes) => {
                 let are_its = ty.is_vector() && bytes[ty.bytes() as usize..].iter().all(|byte| *byte == 0);
@@ -209,7 +207,10 @@ impl Check<'_> {
                 self.is(*x, ty)?;
                 self.is(*y, ty)
             }
-            Operation::Blend(mask, x, y) => [mask, x, y].into_iter().try_for_each(|it| self.is(*it, ty)),
+            Operation::Blend(mask, x, y) => {
+                [mask, x, y].into_iter().try_for_each(|it| self.is(*it, ty))?;
+                self.demand(ty.is_vector(), value, "chooses in lanes and is no vector")
+            }
             Operation::Shuffle(x, y, bytes) => {
                 self.is(*x, ty)?;
                 self.is(*y, ty)?;
@@ -221,16 +222,17 @@ impl Check<'_> {
             Operation::Lane(of, lane) => {
                 self.usable(*of)?;
                 let from = self.ty(*of);
-                self.demand(u32::from(*lane) < from.lanes() && ty == from.of_lane(), value, "is no lane of its vector")
+                let is_its = from.is_vector() && u32::from(*lane) < from.lanes() && ty == from.of_lane();
+                self.demand(is_its, value, "is no lane of its vector")
             }
             Operation::WithLane(vector, number, lane) => {
                 self.is(*vector, ty)?;
                 self.is(*number, ty.of_lane())?;
-                self.demand(u32::from(*lane) < ty.lanes(), value, "sets no lane of its vector")
+                self.demand(ty.is_vector() && u32::from(*lane) < ty.lanes(), value, "sets no lane of its vector")
             }
             Operation::Load { load, address, .. } => {
                 self.is(*address, Type::ADDRESS)?;
-                let is_extended = ty.is_vector() && !ty.is_float() && matches!(ty.element(), 16 | 32);
+                let is_extended = of_integers(ty) && matches!(ty.element(), 16 | 32);
                 self.demand(*load == Load::Whole || is_extended, value, "is loaded in a way that its type has not")
             }
             Operation::Call(function, arguments) => {
@@ -244,21 +246,20 @@ impl Check<'_> {
     fn unary(&self, unary: Unary, of: Value, ty: Type, value: Value) -> Result<(), String> {
         self.usable(of)?;
         let from = self.ty(of);
-        let are_integers = |wide: Type, narrow: Type| {
-            !wide.is_vector() && !narrow.is_vector() && !narrow.is_float() && wide.element() > narrow.element()
-        };
+        let are_integers =
+            |wide: Type, narrow: Type| is_integer(wide) && is_integer(narrow) && wide.element() > narrow.element();
         let holds = match unary {
             Unary::Not | Unary::Neg => ty == from && !ty.is_float(),
-            Unary::CountOnes => ty == from && !ty.is_vector(),
+            Unary::CountOnes => ty == from && is_integer(ty),
             Unary::ZeroExtend | Unary::SignExtend => are_integers(ty, from),
             Unary::Truncate => are_integers(from, ty),
             Unary::Cast => ty.is_vector() && from.is_vector() && ty.bits() <= from.bits(),
             Unary::Splat | Unary::Lowest => ty.is_vector() && from == ty.of_lane(),
-            Unary::WidenLow { .. } | Unary::WidenHigh { .. } => from.is_vector() && ty == from.widened(),
+            Unary::WidenLow { .. } | Unary::WidenHigh { .. } => of_integers(from) && ty == from.widened(),
             Unary::HighBits => from.is_vector() && ty == Type::I32,
             Unary::AnyBit => from.is_vector() && ty == Type::I8,
-            Unary::ToFloat => from.is_vector() && from.element() == 32 && !from.is_float() && ty == from.floats(),
-            Unary::ToInteger => ty.is_vector() && ty.element() == 32 && !ty.is_float() && from == ty.floats(),
+            Unary::ToFloat => of_integers(from) && from.element() == 32 && ty == from.floats(),
+            Unary::ToInteger => of_integers(ty) && ty.element() == 32 && from == ty.floats(),
         };
         self.demand(holds, value, &format!("is {ty} of {from}, which {unary:?} does not give"))
     }
@@ -271,14 +272,25 @@ impl Check<'_> {
             Binary::Add | Binary::Sub | Binary::Mul | Binary::And | Binary::Or | Binary::Xor | Binary::Min => {
                 ty == left && ty == right && !ty.is_float()
             }
-            Binary::Div | Binary::RotateLeft => ty == left && ty == right && !ty.is_vector(),
-            Binary::Shl | Binary::Shr | Binary::Sar => ty == left && !ty.is_float() && !right.is_vector(),
-            Binary::Narrow { .. } => left == right && left.is_vector() && ty == left.narrowed(),
-            Binary::Swizzle | Binary::LookUp => left == Type::TABLE && ty == right && ty == ty.of_integers(8),
+            Binary::Div | Binary::RotateLeft => ty == left && ty == right && is_integer(ty),
+            Binary::Shl | Binary::Shr | Binary::Sar => ty == left && !ty.is_float() && is_integer(right),
+            Binary::Narrow { .. } => left == right && of_integers(left) && ty == left.narrowed(),
+            Binary::Swizzle | Binary::LookUp => {
+                left == Type::TABLE && ty == right && of_integers(ty) && ty.element() == 8
+            }
             Binary::MulFloat => ty == left && ty == right && ty.is_vector() && ty.is_float() && ty.element() == 32,
         };
         self.demand(holds, value, &format!("is {ty} of {left} and {right}, which {binary:?} does not give"))
     }
+}
+
+fn is_integer(ty: Type) -> bool {
+    !ty.is_vector() && !ty.is_float()
+}
+
+/// Whether it is a vector of integers.
+fn of_integers(ty: Type) -> bool {
+    ty.is_vector() && !ty.is_float()
 }
 
 #[cfg(test)]
@@ -351,6 +363,15 @@ mod tests {
             }),
             refused(|program| program.body.insert(0, Statement::LeaveUnless { flag: Value(1), results: vec![] })),
             refused(|program| {
+                let body = &mut body(program).body;
+                let constant = body.remove(body.len() - 2);
+                let then = body.iter_mut().find_map(|it| match it {
+                    Statement::If { then, .. } => Some(then),
+                    _ => None,
+                });
+                then.expect("there is a branch").push(constant);
+            }),
+            refused(|program| {
                 program.body.insert(0, Statement::Switch { subject: Value(1), table: vec![1], regions: vec![vec![]] })
             }),
         ];
@@ -366,6 +387,7 @@ mod tests {
             "value 6 is i32 in place of i64",
             "a loop is left with other results than it has",
             "value 1 leaves a loop outside of any",
+            "value 9 is used where it is not defined",
             "value 1 chooses a region that does not exist",
         ];
         assert_eq!(sentences, expected);
