@@ -64,11 +64,6 @@ impl Type {
         Type { is_float: true, ..self }
     }
 
-    /// A vector of as many bits, of integers that have `element` bits each.
-    pub fn of_integers(self, element: u32) -> Type {
-        Type::vector(element, self.bits())
-    }
-
     /// Bits of a number, or of each number of a vector.
     pub fn element(self) -> u32 {
         self.element.into()

@@ -232,7 +232,7 @@ impl Check<'_> {
             }
             Operation::Load { load, address, .. } => {
                 self.is(*address, Type::ADDRESS)?;
-                let is_extended = of_integers(ty) && matches!(ty.element(), 16 | 32);
+                let is_extended = is_integers(ty) && matches!(ty.element(), 16 | 32);
                 self.demand(*load == Load::Whole || is_extended, value, "is loaded in a way that its type has not")
             }
             Operation::Call(function, arguments) => {
@@ -255,11 +255,11 @@ impl Check<'_> {
             Unary::Truncate => are_integers(from, ty),
             Unary::Cast => ty.is_vector() && from.is_vector() && ty.bits() <= from.bits(),
             Unary::Splat | Unary::Lowest => ty.is_vector() && from == ty.of_lane(),
-            Unary::WidenLow { .. } | Unary::WidenHigh { .. } => of_integers(from) && ty == from.widened(),
+            Unary::WidenLow { .. } | Unary::WidenHigh { .. } => is_integers(from) && ty == from.widened(),
             Unary::HighBits => from.is_vector() && ty == Type::I32,
             Unary::AnyBit => from.is_vector() && ty == Type::I8,
-            Unary::ToFloat => of_integers(from) && from.element() == 32 && ty == from.floats(),
-            Unary::ToInteger => of_integers(ty) && ty.element() == 32 && from == ty.floats(),
+            Unary::ToFloat => is_integers(from) && from.element() == 32 && ty == from.floats(),
+            Unary::ToInteger => is_integers(ty) && ty.element() == 32 && from == ty.floats(),
         };
         self.demand(holds, value, &format!("is {ty} of {from}, which {unary:?} does not give"))
     }
@@ -274,9 +274,9 @@ impl Check<'_> {
             }
             Binary::Div | Binary::RotateLeft => ty == left && ty == right && is_integer(ty),
             Binary::Shl | Binary::Shr | Binary::Sar => ty == left && !ty.is_float() && is_integer(right),
-            Binary::Narrow { .. } => left == right && of_integers(left) && ty == left.narrowed(),
+            Binary::Narrow { .. } => left == right && is_integers(left) && ty == left.narrowed(),
             Binary::Swizzle | Binary::LookUp => {
-                left == Type::TABLE && ty == right && of_integers(ty) && ty.element() == 8
+                left == Type::TABLE && ty == right && is_integers(ty) && ty.element() == 8
             }
             Binary::MulFloat => ty == left && ty == right && ty.is_vector() && ty.is_float() && ty.element() == 32,
         };
@@ -289,7 +289,7 @@ fn is_integer(ty: Type) -> bool {
 }
 
 /// Whether it is a vector of integers.
-fn of_integers(ty: Type) -> bool {
+fn is_integers(ty: Type) -> bool {
     ty.is_vector() && !ty.is_float()
 }
 
