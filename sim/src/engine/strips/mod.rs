@@ -29,6 +29,8 @@ pub(super) use commits::Touched;
 pub(super) use evaluate::Memory;
 pub(super) use evaluate::{Calls, Places, Wild};
 pub use examined::Examined;
+#[cfg(test)]
+pub(super) use names::{BINARIES, COMPARISONS, LOADS, UNARIES};
 pub(super) use operation::{Binary, Comparison, Load, Operation, Unary};
 pub(super) use program::{Loop, Program, Region, Statement};
 pub(super) use text::Notes;

@@ -6,7 +6,7 @@ use super::operation::{Binary, Comparison, Load, Unary};
 use super::value::Type;
 
 /// The names of one kind of operation.
-pub(super) type Names<T> = &'static [(T, &'static str)];
+pub(in crate::engine) type Names<T> = &'static [(T, &'static str)];
 
 /// The name of an operation.
 pub(super) fn name<T: Copy + PartialEq>(names: Names<T>, of: T) -> &'static str {
@@ -19,7 +19,7 @@ pub(super) fn named<T: Copy>(names: Names<T>, text: &str) -> Option<T> {
 }
 
 /// Whether a place is a multiple of its size, and how a load fills its type.
-pub(super) const LOADS: Names<(Load, bool)> = &[
+pub(in crate::engine) const LOADS: Names<(Load, bool)> = &[
     ((Load::Whole, true), "load"),
     ((Load::Whole, false), "load_unaligned"),
     ((Load::ZeroExtended, true), "load_zero_extended"),
@@ -30,7 +30,7 @@ pub(super) const LOADS: Names<(Load, bool)> = &[
 
 pub(super) const STORES: Names<bool> = &[(true, "store"), (false, "store_unaligned")];
 
-pub(super) const UNARIES: Names<Unary> = &[
+pub(in crate::engine) const UNARIES: Names<Unary> = &[
     (Unary::Not, "not"),
     (Unary::Neg, "neg"),
     (Unary::CountOnes, "count_ones"),
@@ -50,7 +50,7 @@ pub(super) const UNARIES: Names<Unary> = &[
     (Unary::ToInteger, "integers"),
 ];
 
-pub(super) const BINARIES: Names<Binary> = &[
+pub(in crate::engine) const BINARIES: Names<Binary> = &[
     (Binary::Add, "add"),
     (Binary::Sub, "sub"),
     (Binary::Mul, "mul"),
@@ -70,7 +70,7 @@ pub(super) const BINARIES: Names<Binary> = &[
     (Binary::MulFloat, "mul_float"),
 ];
 
-pub(super) const COMPARISONS: Names<Comparison> = &[
+pub(in crate::engine) const COMPARISONS: Names<Comparison> = &[
     (Comparison::Equal, "eq"),
     (Comparison::NotEqual, "ne"),
     (Comparison::SignedLessThan, "slt"),

@@ -41,7 +41,7 @@ impl Type {
     }
 
     /// All of them.
-    pub(super) fn all() -> impl Iterator<Item = Type> {
+    pub fn all() -> impl Iterator<Item = Type> {
         let alone = [8, 16, 32, 64].map(Type::integer);
         let vectors = VECTORS.into_iter().flat_map(|bits| [8, 16, 32, 64].map(|element| Type::vector(element, bits)));
         alone.into_iter().chain(vectors).flat_map(|of| [of, of.floats()]).filter(|of| !of.is_float || of.element >= 32)
@@ -62,6 +62,16 @@ impl Type {
     /// Floats of the same size in place of integers.
     pub fn floats(self) -> Type {
         Type { is_float: true, ..self }
+    }
+
+    /// Whether it is an integer, and no vector.
+    pub fn is_integer(self) -> bool {
+        !self.is_vector() && !self.is_float()
+    }
+
+    /// Whether it is a vector of integers.
+    pub fn is_integers(self) -> bool {
+        self.is_vector() && !self.is_float()
     }
 
     /// Bits of a number, or of each number of a vector.

@@ -88,7 +88,7 @@ impl Check<'_> {
     fn is_integer(&self, value: Value) -> Result<(), String> {
         self.usable(value)?;
         let ty = self.ty(value);
-        self.demand(is_integer(ty), value, &format!("is {ty} in place of an integer"))
+        self.demand(ty.is_integer(), value, &format!("is {ty} in place of an integer"))
     }
 
     fn alike(&self, values: &[Value], types: &[Value]) -> Result<(), String> {
@@ -187,7 +187,7 @@ impl Check<'_> {
     fn operation(&self, operation: &Operation, ty: Type, value: Value) -> Result<(), String> {
         match operation {
             Operation::Parameter => self.demand(false, value, "is a parameter and not computed"),
-            Operation::Constant(_) => self.demand(is_integer(ty), value, "is a constant and no integer"),
+            Operation::Constant(_) => self.demand(ty.is_integer(), value, "is a constant and no integer"),
             Operation::Address(_) => self.demand(ty == Type::ADDRESS, value, "is an address of another type"),
             Operation::Bytes(bytes) => {
                 let are_its = ty.is_vector() && bytes[ty.bytes() as usize..].iter().all(|byte| *byte == 0);
@@ -232,7 +232,7 @@ impl Check<'_> {
             }
             Operation::Load { load, address, .. } => {
                 self.is(*address, Type::ADDRESS)?;
-                let is_extended = is_integers(ty) && matches!(ty.element(), 16 | 32);
+                let is_extended = ty.is_integers() && matches!(ty.element(), 16 | 32);
                 self.demand(*load == Load::Whole || is_extended, value, "is loaded in a way that its type has not")
             }
             Operation::Call(function, arguments) => {
@@ -247,19 +247,19 @@ impl Check<'_> {
         self.usable(of)?;
         let from = self.ty(of);
         let are_integers =
-            |wide: Type, narrow: Type| is_integer(wide) && is_integer(narrow) && wide.element() > narrow.element();
+            |wide: Type, narrow: Type| wide.is_integer() && narrow.is_integer() && wide.element() > narrow.element();
         let holds = match unary {
             Unary::Not | Unary::Neg => ty == from && !ty.is_float(),
-            Unary::CountOnes => ty == from && is_integer(ty),
+            Unary::CountOnes => ty == from && ty.is_integer(),
             Unary::ZeroExtend | Unary::SignExtend => are_integers(ty, from),
             Unary::Truncate => are_integers(from, ty),
             Unary::Cast => ty.is_vector() && from.is_vector() && ty.bits() <= from.bits(),
             Unary::Splat | Unary::Lowest => ty.is_vector() && from == ty.of_lane(),
-            Unary::WidenLow { .. } | Unary::WidenHigh { .. } => is_integers(from) && ty == from.widened(),
+            Unary::WidenLow { .. } | Unary::WidenHigh { .. } => from.is_integers() && ty == from.widened(),
             Unary::HighBits => from.is_vector() && ty == Type::I32,
             Unary::AnyBit => from.is_vector() && ty == Type::I8,
-            Unary::ToFloat => is_integers(from) && from.element() == 32 && ty == from.floats(),
-            Unary::ToInteger => is_integers(ty) && ty.element() == 32 && from == ty.floats(),
+            Unary::ToFloat => from.is_integers() && from.element() == 32 && ty == from.floats(),
+            Unary::ToInteger => ty.is_integers() && ty.element() == 32 && from == ty.floats(),
         };
         self.demand(holds, value, &format!("is {ty} of {from}, which {unary:?} does not give"))
     }
@@ -272,25 +272,16 @@ impl Check<'_> {
             Binary::Add | Binary::Sub | Binary::Mul | Binary::And | Binary::Or | Binary::Xor | Binary::Min => {
                 ty == left && ty == right && !ty.is_float()
             }
-            Binary::Div | Binary::RotateLeft => ty == left && ty == right && is_integer(ty),
-            Binary::Shl | Binary::Shr | Binary::Sar => ty == left && !ty.is_float() && is_integer(right),
-            Binary::Narrow { .. } => left == right && is_integers(left) && ty == left.narrowed(),
+            Binary::Div | Binary::RotateLeft => ty == left && ty == right && ty.is_integer(),
+            Binary::Shl | Binary::Shr | Binary::Sar => ty == left && !ty.is_float() && right.is_integer(),
+            Binary::Narrow { .. } => left == right && left.is_integers() && ty == left.narrowed(),
             Binary::Swizzle | Binary::LookUp => {
-                left == Type::TABLE && ty == right && is_integers(ty) && ty.element() == 8
+                left == Type::TABLE && ty == right && ty.is_integers() && ty.element() == 8
             }
             Binary::MulFloat => ty == left && ty == right && ty.is_vector() && ty.is_float() && ty.element() == 32,
         };
         self.demand(holds, value, &format!("is {ty} of {left} and {right}, which {binary:?} does not give"))
     }
-}
-
-fn is_integer(ty: Type) -> bool {
-    !ty.is_vector() && !ty.is_float()
-}
-
-/// Whether it is a vector of integers.
-fn is_integers(ty: Type) -> bool {
-    ty.is_vector() && !ty.is_float()
 }
 
 #[cfg(test)]

@@ -6,51 +6,11 @@ use cranelift_codegen::settings::{self, Flags};
 use cranelift_codegen::verify_function;
 
 use super::{signature, translate};
-use crate::engine::strips::{Binary, Comparison, Load, Operation, Program, Statement, Type, Unary, Value};
-
-const UNARY: [Unary; 17] = [
-    Unary::Not,
-    Unary::Neg,
-    Unary::CountOnes,
-    Unary::ZeroExtend,
-    Unary::SignExtend,
-    Unary::Truncate,
-    Unary::Cast,
-    Unary::Splat,
-    Unary::Lowest,
-    Unary::WidenLow { signed: false },
-    Unary::WidenLow { signed: true },
-    Unary::WidenHigh { signed: false },
-    Unary::WidenHigh { signed: true },
-    Unary::HighBits,
-    Unary::AnyBit,
-    Unary::ToFloat,
-    Unary::ToInteger,
-];
-const BINARY: [Binary; 17] = [
-    Binary::Add,
-    Binary::Sub,
-    Binary::Mul,
-    Binary::Div,
-    Binary::And,
-    Binary::Or,
-    Binary::Xor,
-    Binary::Shl,
-    Binary::Shr,
-    Binary::Sar,
-    Binary::RotateLeft,
-    Binary::Min,
-    Binary::Narrow { signed: false },
-    Binary::Narrow { signed: true },
-    Binary::Swizzle,
-    Binary::LookUp,
-    Binary::MulFloat,
-];
+use crate::engine::strips::{BINARIES, COMPARISONS, LOADS, Load, Operation, Program, Statement, Type, UNARIES, Value};
 
 /// Numbers, and vectors of 128 bits.
 fn types() -> impl Iterator<Item = Type> {
-    let all = [8, 16, 32, 64].into_iter().flat_map(|element| [Type::integer(element), Type::vector(element, 128)]);
-    all.flat_map(|ty| [ty, ty.floats()]).filter(|ty| !ty.is_float() || ty.element() >= 32)
+    Type::all().filter(|ty| !ty.is_vector() || ty.bits() == 128)
 }
 
 /// A program that loads two values of these types and computes an operation on them.
@@ -77,15 +37,13 @@ fn accepted(program: &Program) -> Option<Result<(), String>> {
 
 /// The operations on two values, of which some take only one.
 fn operations(x: Value, y: Value) -> Vec<Operation> {
-    let unary = UNARY.map(|unary| Operation::Unary(unary, x));
-    let binary = BINARY.map(|binary| Operation::Binary(binary, x, y));
+    let unaries = UNARIES.iter().map(|(unary, _)| Operation::Unary(*unary, x));
+    let binaries = BINARIES.iter().map(|(binary, _)| Operation::Binary(*binary, x, y));
+    let comparisons = COMPARISONS.iter().map(|(relation, _)| Operation::Compare(*relation, x, y));
+    let loads = LOADS.iter().map(|&((load, aligned), _)| Operation::Load { load, aligned, address: x, offset: 0 });
     let lanes = [0, 1, 15, 16].into_iter().flat_map(|at| [Operation::Lane(x, at), Operation::WithLane(x, y, at)]);
-    let loads = [Load::Whole, Load::ZeroExtended, Load::SignExtended];
-    let loads = loads.map(|load| Operation::Load { load, aligned: false, address: x, offset: 0 });
-    let relations = [Comparison::Equal, Comparison::SignedLessThan, Comparison::UnsignedGreaterThanOrEqual];
-    let comparisons = relations.map(|relation| Operation::Compare(relation, x, y));
     let choices = [Operation::Select(x, y, y), Operation::Blend(x, y, y), Operation::Shuffle(x, y, [0; 32])];
-    unary.into_iter().chain(binary).chain(lanes).chain(loads).chain(comparisons).chain(choices).collect()
+    unaries.chain(binaries).chain(comparisons).chain(loads).chain(lanes).chain(choices).collect()
 }
 
 #[test]

@@ -3,20 +3,10 @@
 use proptest::prelude::*;
 
 use super::super::jit::Jit;
-use crate::engine::strips::{Base, Builder, Bytes, Comparison, Load, Loop, Memory, Notes, Only, Program, Type, Value};
+use crate::engine::strips::{
+    Base, Builder, Bytes, COMPARISONS, Comparison, Load, Loop, Memory, Notes, Only, Program, Type, Value,
+};
 
-const COMPARISONS: [Comparison; 10] = [
-    Comparison::Equal,
-    Comparison::NotEqual,
-    Comparison::SignedLessThan,
-    Comparison::SignedLessThanOrEqual,
-    Comparison::SignedGreaterThan,
-    Comparison::SignedGreaterThanOrEqual,
-    Comparison::UnsignedLessThan,
-    Comparison::UnsignedLessThanOrEqual,
-    Comparison::UnsignedGreaterThan,
-    Comparison::UnsignedGreaterThanOrEqual,
-];
 const INTEGERS: [u32; 4] = [8, 16, 32, 64];
 const VECTORS: [Type; 4] = [Type::I8X16, Type::I16X8, Type::I32X4, Type::I64X2];
 
@@ -103,11 +93,11 @@ impl Random<'_> {
                 if n >> 16 & 1 == 0 { b.zero_extend(Type::I64, low) } else { b.sign_extend(Type::I64, low) }
             }
             17 => {
-                let flag = b.compare(COMPARISONS[(n >> 8) as usize % 10], x, y);
+                let flag = b.compare(COMPARISONS[(n >> 8) as usize % 10].0, x, y);
                 b.select(flag, y, x)
             }
             18 => b.constant(Type::I64, constant),
-            _ => b.compare(COMPARISONS[(n >> 8) as usize % 10], x, y),
+            _ => b.compare(COMPARISONS[(n >> 8) as usize % 10].0, x, y),
         };
         self.add_number(value);
     }
@@ -140,9 +130,9 @@ impl Random<'_> {
                 let by = by(b);
                 b.sar(p, by)
             }
-            11 => b.compare(COMPARISONS[(n >> 16) as usize % 10], p, q),
+            11 => b.compare(COMPARISONS[(n >> 16) as usize % 10].0, p, q),
             12 => {
-                let mask = b.compare(COMPARISONS[(n >> 16) as usize % 10], p, q);
+                let mask = b.compare(COMPARISONS[(n >> 16) as usize % 10].0, p, q);
                 b.blend(mask, p, q)
             }
             13 if element < 64 => match n >> 16 & 3 {
