@@ -136,10 +136,9 @@ impl Bits {
     /// assert_eq!(Bits::from_i128(100, -1).to_i128(), Some(-1));
     /// ```
     pub fn from_i128(width: u32, value: i128) -> Bits {
-        let mut limbs = vec![if value < 0 { u64::MAX } else { 0 }; limbs_for(width).max(2)];
-        limbs[0] = value as u64;
-        limbs[1] = (value >> 64) as u64;
-        Bits::from_limbs(width, &limbs)
+        let low = [value as u64, (value >> 64) as u64];
+        let sign = if value < 0 { u64::MAX } else { 0 };
+        Bits::of(width, |i| low.get(i).copied().unwrap_or(sign))
     }
 
     /// The value with these limbs, lowest first. Missing limbs are zero; bits above the width are dropped.
@@ -150,8 +149,12 @@ impl Bits {
     /// assert_eq!(wide.limbs(), [1, 0x3f]);
     /// ```
     pub fn from_limbs(width: u32, limbs: &[u64]) -> Bits {
+        Bits::of(width, |i| limbs.get(i).copied().unwrap_or(0))
+    }
+
+    /// The value whose limb `i` is `limb(i)`; bits above the width are dropped.
+    fn of(width: u32, limb: impl Fn(usize) -> u64) -> Bits {
         assert!(width > 0, "a value has at least 1 bit");
-        let limb = |i: usize| limbs.get(i).copied().unwrap_or(0);
         let limbs = match limbs_for(width) {
             1 => Limbs::One(limb(0) & top_mask(width)),
             n => {
@@ -165,9 +168,15 @@ impl Bits {
 
     /// The value that `fill` makes of zeros, as [`Bits::from_limbs`] takes it.
     pub(crate) fn filled(width: u32, fill: impl FnOnce(&mut [u64])) -> Bits {
-        let mut limbs = vec![0; limbs_for(width)];
-        fill(&mut limbs);
-        Bits::from_limbs(width, &limbs)
+        let (mut one, mut many) = ([0], Vec::new());
+        let limbs: &mut [u64] = if width <= 64 {
+            &mut one
+        } else {
+            many.resize(limbs_for(width), 0);
+            &mut many
+        };
+        fill(limbs);
+        Bits::from_limbs(width, limbs)
     }
 
     /// All bits zero.
@@ -188,7 +197,7 @@ impl Bits {
     /// assert_eq!(Bits::ones(1000).not(), Bits::zero(1000));
     /// ```
     pub fn ones(width: u32) -> Bits {
-        Bits::from_limbs(width, &vec![u64::MAX; limbs_for(width)])
+        Bits::of(width, |_| u64::MAX)
     }
 
     /// The number of bits.
@@ -270,12 +279,11 @@ impl Bits {
     /// assert_eq!(Bits::new(5, 0b01110).to_i128(), Some(14));
     /// ```
     pub fn to_i128(&self) -> Option<i128> {
-        let extended = self.sext(self.width.max(128));
-        let limbs = extended.limbs();
-        let value = (u128::from(limbs[1]) << 64 | u128::from(limbs[0])) as i128;
-        let filler = if value < 0 { u64::MAX } else { 0 };
-        let rest = Bits::from_limbs(self.width.max(128), &vec![filler; limbs.len()]);
-        (limbs[2..] == rest.limbs()[2..]).then_some(value)
+        let high = self.limbs().get(1).copied().unwrap_or(0);
+        let low = u128::from(high) << 64 | u128::from(self.limbs()[0]);
+        let above = 128 - self.width.min(128);
+        let value = (low << above) as i128 >> above;
+        (Bits::from_i128(self.width, value) == *self).then_some(value)
     }
 
     /// The bits of `range`, lowest first, as in `z.slice(0..12)`.
@@ -339,7 +347,7 @@ impl Bits {
     /// assert_eq!(Bits::new(4, 0b0101).not(), Bits::new(4, 0b1010));
     /// ```
     pub fn not(&self) -> Bits {
-        Bits::from_limbs(self.width, &self.limbs().iter().map(|limb| !limb).collect::<Vec<_>>())
+        Bits::of(self.width, |i| !self.limbs()[i])
     }
 }
 
@@ -434,6 +442,8 @@ mod tests {
     fn signs_extend_over_limbs() {
         assert_eq!(Bits::new(4, 0b1000).sext(130), Bits::from_i128(130, -8));
         assert_eq!(Bits::from_i128(200, -5).to_i128(), Some(-5));
+        assert_eq!(Bits::from_u128(128, 1 << 127).to_i128(), Some(i128::MIN));
+        assert_eq!(Bits::from_u128(129, 1 << 127).to_i128(), None, "the sign is bit 128");
         assert_eq!(Bits::new(7, 0x7f), -1);
         assert_eq!(Bits::ones(129).to_u128(), None);
     }

@@ -1,6 +1,5 @@
 //! Names that are legal in Verilog and in waves.
 
-use std::collections::HashSet;
 use std::sync::LazyLock;
 
 use crate::loc::Loc;
@@ -14,16 +13,31 @@ const RESERVED: &str = include_str!("reserved_words.txt");
 /// The words of C++ that Verilator refuses as the name of a port.
 const RESERVED_IN_CPP: &str = include_str!("reserved_cpp.txt");
 
+/// Words by their first letters: faster than a hash of each name that a circuit has.
+struct Words([Vec<&'static str>; 256]);
+
+impl Words {
+    fn new(text: &'static str) -> Words {
+        let mut words = [const { Vec::new() }; 256];
+        text.split_whitespace().for_each(|word| words[usize::from(word.as_bytes()[0])].push(word));
+        Words(words)
+    }
+
+    fn contain(&self, name: &str) -> bool {
+        name.bytes().next().is_some_and(|first| self.0[usize::from(first)].contains(&name))
+    }
+}
+
 /// Whether `name` is a word of C++.
 pub fn is_reserved_in_cpp(name: &str) -> bool {
-    static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| RESERVED_IN_CPP.split_whitespace().collect());
-    WORDS.contains(name)
+    static WORDS: LazyLock<Words> = LazyLock::new(|| Words::new(RESERVED_IN_CPP));
+    WORDS.contain(name)
 }
 
 /// Whether `name` is a word of Verilog or SystemVerilog.
 pub fn is_reserved(name: &str) -> bool {
-    static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| RESERVED.split_whitespace().collect());
-    WORDS.contains(name)
+    static WORDS: LazyLock<Words> = LazyLock::new(|| Words::new(RESERVED));
+    WORDS.contain(name)
 }
 
 /// Whether `name` is letters, digits and `_`, and does not start with a digit.
@@ -44,9 +58,10 @@ pub fn illegal(kind: &str, name: &str, loc: Loc) -> Option<Problem> {
 /// The name of a port or register: the path of its fields joined by `_`.
 pub fn port_name(prefix: &str, path: &str) -> String {
     match (prefix.is_empty(), path.is_empty()) {
+        (true, _) if !path.contains('.') => path.to_owned(),
         (true, _) => path.replace('.', "_"),
         (false, true) => prefix.to_owned(),
-        (false, false) => format!("{prefix}_{}", path.replace('.', "_")),
+        (false, false) => [prefix, "_", &port_name("", path)].concat(),
     }
 }
 

@@ -240,7 +240,7 @@ impl Along {
             None => None,
         };
         let asked = self.inner().with(self.axis, count).expect("the axis is put back");
-        let shape = elaboration::with(|e| sound_shape(e, &format!("what `.{method}` gives"), asked, loc));
+        let shape = elaboration::with(|e| sound_shape(e, format_args!("what `.{method}` gives"), asked, loc));
         if shape != asked {
             return elaboration::with(|e| Signal::zero_in(e, self.of.width, shape, self.of.kind, loc));
         }

@@ -100,7 +100,7 @@ impl Bundle for () {
 #[doc(hidden)]
 pub fn join(path: &str, field: &str) -> String {
     let field = unraw(field);
-    if path.is_empty() { field.to_owned() } else { format!("{path}.{field}") }
+    if path.is_empty() { field.to_owned() } else { [path, ".", field].concat() }
 }
 
 /// Declares records that serve as widths, signals, values and names at once. [`record!`](crate::record!) also gives

@@ -63,7 +63,7 @@ impl<V: Data> Mem<V> {
     /// ```
     #[track_caller]
     pub fn fill(self, word: impl Fits<V>) -> Mem<V> {
-        let word = self.number(word, "fill", "the contents");
+        let word = self.number(word, &sound_fields(&self.layout), "fill", || "the contents".to_owned());
         self.contents(Contents::Fill(word));
         self
     }
@@ -82,10 +82,11 @@ impl<V: Data> Mem<V> {
     /// ```
     #[track_caller]
     pub fn words<W: Fits<V>>(self, words: impl IntoIterator<Item = W>) -> Mem<V> {
+        let fields = sound_fields(&self.layout);
         // A loop: in a closure, the message would name the closure as the caller.
         let mut numbers = Vec::new();
         for (at, word) in words.into_iter().enumerate() {
-            numbers.push(self.number(word, "words", &format!("word {at}")));
+            numbers.push(self.number(word, &fields, "words", || format!("word {at}")));
         }
         self.contents(Contents::Words(numbers));
         self
@@ -116,13 +117,12 @@ impl<V: Data> Mem<V> {
 
     /// A number, or a record of numbers, as a word; `which` is its position in the contents.
     #[track_caller]
-    fn number(&self, word: impl Fits<V>, of: &str, which: &str) -> Bits {
-        let fields = sound_fields(&self.layout);
+    fn number(&self, word: impl Fits<V>, fields: &[(String, Width)], of: &str, which: impl Fn() -> String) -> Bits {
         let mut bits: Option<Bits> = None;
-        for (value, (path, width)) in word.given().for_fields(&fields, of).into_iter().zip(&fields) {
+        for (value, (path, width)) in word.given().for_fields(fields, of).into_iter().zip(fields) {
             let name = || {
                 let field = if path.is_empty() { String::new() } else { format!("field `{path}` of ") };
-                format!("{field}{which} of memory `{}`", self.name())
+                format!("{field}{} of memory `{}`", which(), self.name())
             };
             let part = match value {
                 Value::Literal(number) => number_of_field(&number, name, (width.bits, width.kind), self.stand_in()),

@@ -2,7 +2,7 @@
 
 use crate::bundle::Bundle;
 use crate::elaboration;
-use crate::fields::{Fields, Leaf};
+use crate::fields::{Fields, Leaf, Visited};
 use crate::integers::{Integer, for_integers};
 use crate::names::bits_text;
 use crate::operand::{Literal, Operand, Value};
@@ -256,6 +256,9 @@ impl<V: Data> Given<V> {
                 )
             }
             Given::Each(values) => {
+                if let Some(operands) = without_lists::<V>(&values).filter(|of| of.len() == fields.len()) {
+                    return operands;
+                }
                 let values = values.leaves();
                 let Some(uneven) = uneven(&values, fields) else {
                     return values.into_iter().map(|(_, value)| value).collect();
@@ -273,6 +276,16 @@ impl<V: Data> Given<V> {
         }
         fields.iter().map(|_| zero()).collect()
     }
+}
+
+/// The operand for each field of a record in which no list is, whose length could be wrong.
+fn without_lists<V: Data>(values: &V::Like<Value>) -> Option<Vec<Value>> {
+    let (mut operands, mut has_list) = (Vec::new(), false);
+    values.visit(&mut |part| match part {
+        Visited::Leaf(value) | Visited::Back(value) => operands.push(value.clone()),
+        Visited::List(_) => has_list = true,
+    });
+    (!has_list).then_some(operands)
 }
 
 /// The signals among the values.

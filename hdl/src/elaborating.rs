@@ -291,7 +291,7 @@ fn nested_too_deep(drafts: &[Draft], name: &str, parameters: &str, loc: Loc) -> 
 fn declare_ready(path: &str, width: Width) -> Signal {
     let stream = path.strip_suffix(".ready").unwrap_or(path);
     elaboration::with(|e| {
-        let shape = sound_shape(e, &format!("input `{}`", port_name("", path)), width.shape, width.loc);
+        let shape = sound_shape(e, format_args!("input `{}`", port_name("", path)), width.shape, width.loc);
         untaken(e, Origin::Input(stream.to_owned()), shape, width.clock, width.loc)
     })
 }

@@ -41,7 +41,7 @@ impl Module {
         elaboration::draft(|draft| draft.unmodelled = draft.unmodelled.or(Some(loc)));
         outputs.layout().map_fields("", &mut |path, width| {
             elaboration::with(|e| {
-                let shape = crate::shaping::sound_shape(e, &format!("output `{path}`"), width.shape, width.loc);
+                let shape = crate::shaping::sound_shape(e, format_args!("output `{path}`"), width.shape, width.loc);
                 Signal::zero_in(e, width.bits, shape, width.kind, loc)
             })
         })

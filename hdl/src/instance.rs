@@ -94,7 +94,7 @@ impl Module {
     {
         let (loc, shape) = (Loc::caller(), shape.into_shape());
         let child = elaborate_module(block, self.gated(), self.own_clock(), loc);
-        let shape = elaboration::with(|e| sound_shape(e, &format!("the array `{name}`"), shape, loc));
+        let shape = elaboration::with(|e| sound_shape(e, format_args!("the array `{name}`"), shape, loc));
         let instance = self.declare(name, child.id, shape, loc);
         let (out, answers) = self.read::<B>(&instance, &child, loc);
         let fed = Fed::of(&feed(out.clone()), loc);

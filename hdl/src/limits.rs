@@ -2,6 +2,7 @@
 
 use crate::elaboration::{self, Elaboration};
 use crate::integers::{self, Integer};
+use std::fmt;
 use tilewright_circuit::ir::NodeId;
 use tilewright_circuit::{Loc, Mistake, Period, Problem};
 
@@ -18,7 +19,13 @@ pub(crate) const LONGEST_PERIOD: u64 = 1 << 50;
 
 /// A valid width for `what`. No bits, or more than [`WIDEST`], are a problem, and the nearest width stands in.
 /// `operands` are the nodes that it is made of.
-pub(crate) fn sound_width(e: &mut Elaboration, operands: &[NodeId], what: &str, width: u64, loc: Loc) -> u32 {
+pub(crate) fn sound_width(
+    e: &mut Elaboration,
+    operands: &[NodeId],
+    what: impl fmt::Display,
+    width: u64,
+    loc: Loc,
+) -> u32 {
     let sound = width.clamp(1, WIDEST.into());
     if sound == width {
         return sound as u32;

@@ -254,7 +254,7 @@ impl Module {
     ) -> Mem {
         let width = word.bits;
         elaboration::with(|e| {
-            let shape = sound_shape(e, &format!("memory `{name}`"), word.shape, loc);
+            let shape = sound_shape(e, format_args!("memory `{name}`"), word.shape, loc);
             if depth < 1 || width == 0 {
                 let problem = Problem::new(
                     Mistake::EmptyMemory,
@@ -340,9 +340,8 @@ impl Module {
 /// valid one.
 pub(crate) fn declare(e: &mut Elaboration, op: Op, (what, name): (&str, &str), width: Width, loc: Loc) -> NodeId {
     let name = e.draft().prefixed(name);
-    let what = format!("{what} `{name}`");
-    let shape = sound_shape(e, &what, width.shape, loc);
-    let bits = sound_width(e, &[], &what, width.bits.into(), loc);
+    let shape = sound_shape(e, format_args!("{what} `{name}`"), width.shape, loc);
+    let bits = sound_width(e, &[], format_args!("{what} `{name}`"), width.bits.into(), loc);
     let draft = e.draft();
     let id = draft.add(op, bits, shape, loc);
     if (bits, shape) != (width.bits, width.shape) {

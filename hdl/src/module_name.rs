@@ -31,9 +31,10 @@ pub(crate) fn module_name(type_name: &'static str, parameters: &str) -> String {
     }
     let values = parameters.strip_prefix(short(type_name)).unwrap_or(parameters);
     let (parameters_in_words, is_whole) = in_words(values);
-    let number = format!("_{:08x}", hash(&format!("{arguments} {parameters}")));
-    let end = if is_whole { parameters_in_words } else { parameters_in_words + &number };
+    let number = || format!("_{:08x}", hash(&format!("{arguments} {parameters}")));
+    let end = if is_whole { parameters_in_words } else { parameters_in_words + &number() };
     if name.len() + end.len() > LONGEST {
+        let number = number();
         name.truncate(LONGEST - number.len());
         name += &number;
     } else {

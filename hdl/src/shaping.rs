@@ -4,6 +4,7 @@ use crate::elaboration::{self, Elaboration};
 use crate::integers::{Integer, count};
 use crate::limits::MOST_LANES;
 use crate::signal::Signal;
+use std::fmt;
 use tilewright_circuit::ir::{Op, Shape};
 use tilewright_circuit::{Loc, Mistake, Problem};
 
@@ -74,7 +75,7 @@ impl<N: Integer> IntoShape for N {
 
 /// A valid shape for `what`. No lanes, or too many, are a problem, and one lane stands in. An object made with the
 /// stand-in is a stand-in itself.
-pub(crate) fn sound_shape(e: &mut Elaboration, what: &str, shape: Shape, loc: Loc) -> Shape {
+pub(crate) fn sound_shape(e: &mut Elaboration, what: impl fmt::Display, shape: Shape, loc: Loc) -> Shape {
     let sound = match shape {
         Shape::Plain => shape,
         Shape::Row(lanes) => Shape::Row(lanes.max(1)),

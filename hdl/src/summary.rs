@@ -113,13 +113,22 @@ pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View, timed
     sets
 }
 
+/// Whether a quasi-static signal, here or in an instance, hides the clocks behind it.
+fn hides_clocks(draft: &Draft, summaries: &[Summary]) -> bool {
+    let modules = draft.instances.iter().map(|instance| &summaries[instance.module.0 as usize]);
+    draft.nodes.iter().any(|node| matches!(node.op, Op::QuasiStatic(..)))
+        || modules.flat_map(|summary| &summary.outputs).any(|output| output.timed_inputs != output.inputs)
+}
+
 /// The summary of a draft; `renumber` maps its clocks to those of the finished module.
 pub(crate) fn summarize(draft: &Draft, summaries: &[Summary], outputs: &[NodeId], renumber: &[Option<u32>]) -> Summary {
-    let (operands, timed) = (combinational(draft, summaries), timed(draft, summaries));
+    let operands = combinational(draft, summaries);
     let inputs = input_sets(draft, &operands);
     let wired = wired(draft, summaries, &operands);
-    let timed_inputs = input_sets(draft, &timed);
-    let clocks = clock_sets(draft, summaries, View::Outside, &timed);
+    let apart = hides_clocks(draft, summaries).then(|| timed(draft, summaries));
+    let timed = apart.as_ref().unwrap_or(&operands);
+    let timed_inputs = input_sets(draft, timed);
+    let clocks = clock_sets(draft, summaries, View::Outside, timed);
     let dependence = |output: &NodeId| Dependence {
         inputs: inputs.members(output.0).map(|i| i as u32).collect(),
         timed_inputs: timed_inputs.members(output.0).map(|i| i as u32).collect(),

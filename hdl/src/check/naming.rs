@@ -3,7 +3,8 @@
 use crate::check::{numbering, unused};
 use crate::draft::Draft;
 use crate::names::{is_legal, is_reserved, is_reserved_in_cpp, port_name};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::HashMap;
+use std::collections::btree_map::{BTreeMap, Entry};
 use tilewright_circuit::ir::{Instance, Module, Node, NodeId, Op};
 use tilewright_circuit::{Loc, Mistake, Problem};
 
@@ -29,28 +30,23 @@ pub(crate) fn check(
     for (path, node) in outputs {
         names.port("output", &draft.port(path), draft.node(*node).loc);
     }
-    let ports = names.taken.keys().cloned().chain(super::pads::ports(&draft.inputs)).collect();
-    let driven: Vec<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, draft.port(path))).collect();
-    numbering::number(draft, &driven, &ports);
+    let pads: Vec<String> = super::pads::ports(&draft.inputs).into_iter().collect();
+    let mut driven: Vec<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, draft.port(path))).collect();
+    driven.sort_unstable();
+    numbering::number(draft, &driven, |name| names.taken.contains_key(name) || pads.iter().any(|pad| pad == name));
     name_reads(draft);
-    let driven: HashSet<(NodeId, String)> = driven.into_iter().collect();
-    for i in 0..draft.nodes.len() {
-        let node = &draft.nodes[i];
-        if let Some(name) = node.name.clone().filter(|_| !matches!(node.op, Op::Input(_))) {
-            let driven_as = (NodeId(i as u32), name);
-            // A net with the name of the output that it drives is that output.
-            if !driven.contains(&driven_as) {
-                let (_, name) = driven_as;
-                let loc = node.loc;
-                draft.nodes[i].name = Some(names.inner("net", name, loc));
-            }
+    for (id, node) in (0..).map(NodeId).zip(&mut draft.nodes) {
+        let Some(name) = node.name.as_mut().filter(|_| !matches!(node.op, Op::Input(_))) else { continue };
+        // A net with the name of the output that it drives is that output.
+        if !numbering::drives(&driven, id, name) {
+            names.inner("net", name, node.loc);
         }
     }
     for memory in draft.memories.iter_mut().map(|draft| &mut draft.memory) {
-        memory.name = names.inner("memory", memory.name.clone(), memory.loc);
+        names.inner("memory", &mut memory.name, memory.loc);
     }
     for instance in &mut draft.instances {
-        instance.name = names.inner("instance", instance.name.clone(), instance.loc);
+        names.inner("instance", &mut instance.name, instance.loc);
     }
     name_fields(draft, &mut names.taken);
     let pads = pad_ports(draft, done);
@@ -179,10 +175,12 @@ impl Names<'_> {
         self.take(kind, name, loc);
     }
 
-    fn inner(&mut self, kind: &'static str, name: String, loc: Loc) -> String {
-        let name = if is_reserved(&name) { format!("{name}_") } else { name };
-        self.take(kind, &name, loc);
-        name
+    /// An inner name that is a reserved word gets a `_`.
+    fn inner(&mut self, kind: &'static str, name: &mut String, loc: Loc) {
+        if is_reserved(name) {
+            name.push('_');
+        }
+        self.take(kind, name, loc);
     }
 
     fn take(&mut self, kind: &'static str, name: &str, loc: Loc) {
@@ -191,27 +189,30 @@ impl Names<'_> {
             self.problems
                 .push(problem.help("a name consists of letters, digits and `_`, and does not start with a digit"));
         }
-        if let Some((other, first)) = self.taken.get(name) {
-            let (another, the) = match (kind == *other, other.starts_with(['a', 'e', 'i', 'o', 'u'])) {
-                (true, _) => ("another", "the other"),
-                (false, true) => ("an", "the"),
-                (false, false) => ("a", "the"),
-            };
-            let problem =
-                Problem::new(Mistake::TakenName, loc, format!("{kind} `{name}` has the name of {another} {other}"));
-            let note = format!("{the} {other} `{name}` is declared");
-            let is_port = |kind: &str| matches!(kind, "input" | "output" | "clock" | "reset");
-            let help = match is_port(kind) && is_port(other) {
-                true => "rename one of them",
-                false => "rename one of them, or put a prefix before it: `m.within(\"first\", || ..)`",
-            };
-            let problem = problem.note(note, *first).help(help);
-            // A helper that is called twice makes the same mistake twice.
-            if !self.problems.contains(&problem) {
-                self.problems.push(problem);
+        let (other, first) = match self.taken.entry(name.to_owned()) {
+            Entry::Occupied(taken) => *taken.get(),
+            Entry::Vacant(free) => {
+                free.insert((kind, loc));
+                return;
             }
-            return;
+        };
+        let (another, the) = match (kind == other, other.starts_with(['a', 'e', 'i', 'o', 'u'])) {
+            (true, _) => ("another", "the other"),
+            (false, true) => ("an", "the"),
+            (false, false) => ("a", "the"),
+        };
+        let problem =
+            Problem::new(Mistake::TakenName, loc, format!("{kind} `{name}` has the name of {another} {other}"));
+        let note = format!("{the} {other} `{name}` is declared");
+        let is_port = |kind: &str| matches!(kind, "input" | "output" | "clock" | "reset");
+        let help = match is_port(kind) && is_port(other) {
+            true => "rename one of them",
+            false => "rename one of them, or put a prefix before it: `m.within(\"first\", || ..)`",
+        };
+        let problem = problem.note(note, first).help(help);
+        // A helper that is called twice makes the same mistake twice.
+        if !self.problems.contains(&problem) {
+            self.problems.push(problem);
         }
-        self.taken.insert(name.to_owned(), (kind, loc));
     }
 }

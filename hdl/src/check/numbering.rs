@@ -1,7 +1,7 @@
 //! Numbers for the names that one place in the source asks for several times: a helper that is called twice, a loop.
 
 use crate::draft::{Draft, UNDRIVEN};
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::BTreeSet;
 use tilewright_circuit::Loc;
 use tilewright_circuit::ir::{NodeId, Op};
 
@@ -17,46 +17,51 @@ enum Object {
 /// description, so the numbers are the same for every elaboration. A port keeps its name: a net takes a number beside
 /// the input that it carries, and beside an output that another net of its place drives. All other names that clash
 /// stay as they are, for the check to report.
-pub(super) fn number(draft: &mut Draft, outputs: &[(NodeId, String)], ports: &BTreeSet<String>) {
-    let objects = objects(draft, outputs);
-    let is_asked = |name: &str| objects.contains_key(name) || ports.contains(name);
+///
+/// `outputs` are sorted.
+pub(super) fn number(draft: &mut Draft, outputs: &[(NodeId, String)], is_port: impl Fn(&str) -> bool) {
+    let mut objects = objects(draft, outputs);
+    objects.sort_by_key(|(name, _)| *name);
+    let is_asked = |name: &str| objects.binary_search_by_key(&name, |(known, _)| known).is_ok() || is_port(name);
     let mut renamed = Vec::new();
-    for (name, objects) in &objects {
-        let is_port = ports.contains(*name);
-        if (objects.len() == 1 && !is_port) || !is_one_place(draft, objects) {
+    for same in objects.chunk_by(|(one, _), (next, _)| one == next) {
+        let name = same[0].0;
+        let is_port = is_port(name);
+        if (same.len() == 1 && !is_port) || !is_one_place(draft, same) {
             continue;
         }
-        if is_port && !objects.iter().all(|object| is_beside(draft, *object, name, outputs)) {
+        if is_port && !same.iter().all(|(_, object)| is_beside(draft, *object, name, outputs)) {
             continue;
         }
         let first = usize::from(!is_port);
         let mut free = (1..).map(|number| format!("{name}_{number}")).filter(|name| !is_asked(name));
-        renamed.extend(objects[first..].iter().map(|object| (*object, free.next().expect("endless"))));
+        renamed.extend(same[first..].iter().map(|(_, object)| (*object, free.next().expect("endless"))));
     }
     renamed.into_iter().for_each(|(object, name)| object.rename(draft, name));
 }
 
-/// The named objects inside of the module, by their names. A net that is the output of its name is not among them.
-fn objects<'a>(draft: &'a Draft, outputs: &[(NodeId, String)]) -> BTreeMap<&'a str, Vec<Object>> {
-    let outputs: HashSet<(NodeId, &str)> = outputs.iter().map(|(node, name)| (*node, name.as_str())).collect();
-    let mut objects: BTreeMap<&str, Vec<Object>> = BTreeMap::new();
-    let mut add = |name, object| objects.entry(name).or_default().push(object);
-    for (i, node) in draft.nodes.iter().enumerate() {
-        let id = NodeId(i as u32);
+/// The named objects inside of the module, in the sequence of the description. A net that is the output of its name is
+/// not among them.
+fn objects<'a>(draft: &'a Draft, outputs: &[(NodeId, String)]) -> Vec<(&'a str, Object)> {
+    let mut objects = Vec::new();
+    for (id, node) in (0..).map(NodeId).zip(&draft.nodes) {
         let name = node.name.as_deref().filter(|_| !matches!(node.op, Op::Input(_)));
-        name.filter(|name| !outputs.contains(&(id, name))).into_iter().for_each(|name| add(name, Object::Node(id)));
+        objects.extend(name.filter(|name| !drives(outputs, id, name)).map(|name| (name, Object::Node(id))));
     }
-    for (i, draft) in draft.memories.iter().enumerate() {
-        add(&draft.memory.name, Object::Memory(i));
-    }
-    for (i, instance) in draft.instances.iter().enumerate() {
-        add(&instance.name, Object::Instance(i));
-    }
+    let memories = draft.memories.iter().enumerate();
+    objects.extend(memories.map(|(i, draft)| (draft.memory.name.as_str(), Object::Memory(i))));
+    let instances = draft.instances.iter().enumerate();
+    objects.extend(instances.map(|(i, instance)| (instance.name.as_str(), Object::Instance(i))));
     objects
 }
 
-fn is_one_place(draft: &Draft, objects: &[Object]) -> bool {
-    objects.windows(2).all(|pair| pair[0].loc(draft) == pair[1].loc(draft))
+/// Whether the node drives the output of this name; `outputs` are sorted.
+pub(super) fn drives(outputs: &[(NodeId, String)], node: NodeId, name: &str) -> bool {
+    outputs.binary_search_by(|(driver, output)| (*driver, output.as_str()).cmp(&(node, name))).is_ok()
+}
+
+fn is_one_place(draft: &Draft, objects: &[(&str, Object)]) -> bool {
+    objects.windows(2).all(|pair| pair[0].1.loc(draft) == pair[1].1.loc(draft))
 }
 
 /// Whether the object may stand beside the port of its name.

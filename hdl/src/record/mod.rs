@@ -188,7 +188,7 @@ fn split<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
 /// The widths of the fields; an invalid width is a problem.
 fn sound_widths<F: Fields<Width>>(layout: &F, of: &str, loc: Loc) -> Vec<u32> {
     let sound = |(path, width): (String, Width)| {
-        elaboration::with(|e| sound_width(e, &[], &format!("field `{path}` of {of}"), width.bits.into(), loc))
+        elaboration::with(|e| sound_width(e, &[], format_args!("field `{path}` of {of}"), width.bits.into(), loc))
     };
     layout.leaves().into_iter().map(sound).collect()
 }
