@@ -7,7 +7,9 @@
 mod rebuild;
 mod rules;
 
-use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
+
+use rustc_hash::{FxBuildHasher, FxHashMap};
 use tilewright_circuit::ir::Relation;
 use tilewright_circuit::{Bits, Loc};
 
@@ -158,12 +160,11 @@ impl Rewriter {
         if !self.passes.share {
             return self.push(cell);
         }
-        match self.known.get(&cell) {
-            Some(id) => *id,
-            None => {
-                let id = self.circuit.push(cell.clone(), self.loc);
-                self.known.insert(cell, id);
-                id
+        match self.known.entry(cell) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(new) => {
+                let id = self.circuit.push(new.key().clone(), self.loc);
+                *new.insert(id)
             }
         }
     }
@@ -174,7 +175,8 @@ pub(crate) fn simplify(program: &mut Program) {
     let mut rewriter = Rewriter::new(&program.passes);
     let states = program.circuit.cells().filter(|(_, cell)| cell.kind == Kind::State);
     let state = |(id, cell): (ValueId, &Cell)| (id, rewriter.at(program.circuit.loc(id)).state(cell.lanes, cell.width));
-    let mut became: FxHashMap<ValueId, ValueId> = states.map(state).collect();
+    let mut became = FxHashMap::with_capacity_and_hasher(program.circuit.len(), FxBuildHasher);
+    became.extend(states.map(state));
     let mut roots = Vec::new();
     program.rewrite_roots(|value| roots.push(*value));
     rebuild(&program.circuit, roots, &mut became, &mut rewriter, Rewriter::number);

@@ -133,6 +133,31 @@ sOn +
     assert_eq!(text, expected, "{text}");
 }
 
+block! {
+    /// A register that is an output by another name.
+    struct Shown;
+    out ShownOut { shown: _ }
+}
+
+impl Shown {
+    fn build(&self, m: Module, _: ()) -> ShownOut {
+        let count = m.reg("count", 4).reset(0);
+        count.next(count + 1);
+        ShownOut { shown: *count }
+    }
+}
+
+#[test]
+fn an_output_that_is_a_register_by_another_name_is_a_wire() {
+    let mut sim = of(&Shown);
+    sim.trace(Vcd::to(path("shown.vcd"))).unwrap();
+    sim.step();
+    sim.finish().unwrap();
+    let text = fs::read_to_string(path("shown.vcd")).unwrap();
+    let kind = |name: &str| text.lines().find(|line| line.contains(name)).and_then(|line| line.split(' ').nth(1));
+    assert_eq!((kind(" shown "), kind(" count ")), (Some("wire"), Some("reg")), "{text}");
+}
+
 /// The names of all variables of a file, which must be readable to its end.
 fn names(text: &str) -> Vec<String> {
     let mut parser = vcd::Parser::new(text.as_bytes());
