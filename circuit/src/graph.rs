@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 pub struct Graph {
     edges: Lists,
     components: Lists,
+    /// Whether all edges lead to smaller vertices, so that there is no cycle.
+    points_back: bool,
 }
 
 impl Graph {
@@ -20,7 +22,7 @@ impl Graph {
             edges.close();
         }
         let components = if points_back { Lists::single(count) } else { components(&edges) };
-        Graph { edges, components }
+        Graph { edges, components, points_back }
     }
 
     /// The targets of a vertex's edges.
@@ -40,6 +42,9 @@ impl Graph {
 
     /// The components whose vertices reach themselves, each sorted.
     pub fn cyclic_components(&self) -> Vec<Vec<u32>> {
+        if self.points_back {
+            return Vec::new();
+        }
         let cyclic = self.components().filter(|component| self.is_cyclic(component));
         let mut found: Vec<Vec<u32>> = cyclic.map(<[u32]>::to_vec).collect();
         found.iter_mut().for_each(|component| component.sort_unstable());

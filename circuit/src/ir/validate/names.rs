@@ -24,7 +24,7 @@ pub(super) fn modules(modules: &[Module], problems: &mut Vec<Problem>) {
 impl Rules<'_> {
     pub(super) fn names(&mut self) {
         let module = self.module;
-        let mut taken = HashMap::new();
+        let mut taken = HashMap::with_capacity(module.nodes.len());
         for clock in &module.clocks {
             [Some(&clock.port), clock.reset.as_ref()].into_iter().flatten().for_each(|port| {
                 self.takes(&mut taken, port, module.loc, None);
