@@ -3,8 +3,8 @@
 use crate::check::{numbering, unused};
 use crate::draft::Draft;
 use crate::names::{is_legal, is_reserved, is_reserved_in_cpp, port_name};
-use std::collections::HashMap;
 use std::collections::btree_map::{BTreeMap, Entry};
+use std::collections::{HashMap, HashSet};
 use tilewright_circuit::ir::{Instance, Module, Node, NodeId, Op};
 use tilewright_circuit::{Loc, Mistake, Problem};
 
@@ -30,10 +30,10 @@ pub(crate) fn check(
     for (path, node) in outputs {
         names.port("output", &draft.port(path), draft.node(*node).loc);
     }
-    let pads: Vec<String> = super::pads::ports(&draft.inputs).into_iter().collect();
+    let pads: HashSet<String> = super::pads::ports(&draft.inputs).collect();
     let mut driven: Vec<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, draft.port(path))).collect();
     driven.sort_unstable();
-    numbering::number(draft, &driven, |name| names.taken.contains_key(name) || pads.iter().any(|pad| pad == name));
+    numbering::number(draft, &driven, |name| names.taken.contains_key(name) || pads.contains(name));
     name_reads(draft);
     for (id, node) in (0..).map(NodeId).zip(&mut draft.nodes) {
         let Some(name) = node.name.as_mut().filter(|_| !matches!(node.op, Op::Input(_))) else { continue };
