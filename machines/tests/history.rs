@@ -1,6 +1,6 @@
 //! What machines leave of a frame: who wrote which pixel, and what units did in their clocks.
 
-use tilewright_machines::{History, Recorder, Watch, pixel_planes, pixelflow, quadtree, vc1};
+use tilewright_machines::{Area, History, Recorder, Span, Watch, pixel_planes, pixelflow, quadtree, vc1};
 use tilewright_scenes::deferred::{Samples, project_deferred};
 use tilewright_scenes::frame::blank;
 use tilewright_scenes::{Frame, PixelBox, Polygons, Scene, Size, golden, project, project_polygons};
@@ -181,4 +181,85 @@ fn rasterizers_of_pixelflow_have_the_pixels_of_their_polygons() -> Result<(), Bo
     assert_eq!(amount(&shaded, "shader 1", "shading"), report.shaders[0].busy);
     assert_eq!(amount(&shaded, "front end", "geometry"), report.front);
     Ok(())
+}
+
+#[test]
+fn units_of_a_vc1_take_all_of_their_spans_and_draw_where_they_have_pages() {
+    let scene = Scene::builtin("star").expect("a built-in scene");
+    let polygons = project_polygons(&scene, Size::new(64, 48).expect("in range")).expect("it can be set up");
+    let projection = project(&scene, polygons.size).expect("p");
+    let config =
+        vc1::Config { processors: 3, apr: Some(20), cluster: 1, refresh: 5000.0, ..vc1::Config::new(polygons.size) };
+    let recorder = Recorder::with_areas();
+    let machine = vc1::Machine::new(config).expect("in range").recorded(&recorder);
+    machine.render(&projection, scene.background, &mut Watch::default()).expect("it renders");
+    let history = recorder.take().expect("a frame was rendered");
+    for lane in history.lanes.iter().filter(|it| it.name != "display") {
+        assert!(lane.spans.array_windows().all(|[one, next]| one.to == next.from), "{}", lane.name);
+        // A unit that does something all the time.
+        let is_all = |span: &Span| (span.to - span.from) as f64 * lane.rate;
+        assert!(lane.spans.iter().all(|span| (is_all(span) - span.amount as f64).abs() < 1.0), "{lane:?}");
+    }
+    // A pixel is drawn into a patch that has a page.
+    assert!(!history.areas.is_empty());
+    for write in &history.writes {
+        let [x, y] = [write.pixel % 64, write.pixel / 64];
+        let holds = |it: &&Area| {
+            let [left, top] = it.place;
+            it.painter == write.painter
+                && (it.from..it.to).contains(&write.time)
+                && (left..left + it.size[0]).contains(&x)
+                && (top..top + it.size[1]).contains(&y)
+        };
+        assert_eq!(history.areas.iter().filter(holds).count(), 1, "{write:?}");
+    }
+}
+
+#[test]
+fn windows_of_a_generator_end_and_its_stages_have_the_rate_of_their_units() {
+    let scene = Scene::builtin("star").expect("a built-in scene");
+    let polygons = project_polygons(&scene, Size::new(64, 48).expect("in range")).expect("it can be set up");
+    let config =
+        quadtree::Config { matrix: (4, 2), ..quadtree::Config::for_packets(polygons.size, &polygons.polygons) };
+    let recorder = Recorder::with_areas();
+    let mut machine = quadtree::Machine::new(config).expect("in range").recorded(&recorder);
+    let (_, report) = machine.render(&polygons.polygons, scene.background, &mut Watch::default()).expect("it renders");
+    let history = recorder.take().expect("a frame was rendered");
+    for stage in &report.stages {
+        let lane = if stage.level == 0 { "set-up".to_owned() } else { format!("{} pipe", stage.level) };
+        let lane = history.lanes.iter().find(|it| it.name == lane).unwrap_or_else(|| panic!("{lane}"));
+        assert_eq!(lane.rate, f64::from(8 * stage.units) / 10_000.0);
+    }
+    // A unit that takes a window has ended the one before, and each tests some for a few clocks.
+    assert!(!history.areas.is_empty());
+    assert!(
+        history.areas.iter().all(|it| it.from < it.to && it.to < u64::MAX),
+        "{:?}",
+        history.areas.iter().filter(|it| it.to == u64::MAX).count()
+    );
+}
+
+#[test]
+fn a_slow_ring_has_the_load_of_its_bits_and_makes_a_renderer_wait() {
+    let scene = Scene::builtin("star").expect("a built-in scene");
+    let polygons = project_polygons(&scene, Size::new(64, 48).expect("in range")).expect("it can be set up");
+    let config = pixel_planes::Config { renderers: 2, side: 16, ring: 320, ..pixel_planes::Config::new(polygons.size) };
+    let recorder = Recorder::default();
+    let machine = pixel_planes::Machine::new(config).expect("ok").recorded(&recorder);
+    let (_, report) = machine.render(&polygons, scene.background, &mut Watch::default()).expect("it renders");
+    let history = recorder.take().expect("a frame was rendered");
+    // Eight bits a clock, until the last plane.
+    assert_eq!(report.ring.load, report.ring.bits as f64 / (8 * report.sent) as f64);
+    // Two renderers: the mean is half of both.
+    let [one, other] = [0, 1].map(|number| report.renderers[number].working());
+    assert_eq!(report.balance(), (one + other) as f64 / (2 * one.max(other)) as f64);
+    // The first to wait, of those that wait at the same time the lower number.
+    let waits = |number: usize| {
+        let lane = &history.lanes[number];
+        lane.spans.iter().find(|span| span.what == "waiting for instructions").map(|span| (span.from / 25_000, number))
+    };
+    let first = report.first_starved.expect("a slow ring");
+    assert!(waits(first.renderer) <= waits(1 - first.renderer));
+    let mean = pixel_planes::ProgramClocks { program: "flat_least", primitives: 1, clocks: 97, most: 97 }.mean();
+    assert_eq!(mean, 97.0);
 }

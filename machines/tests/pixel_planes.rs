@@ -1,6 +1,8 @@
 //! Scenes in regions: whatever is drawn of each region's bin alone is the golden frame, and the bins balance.
 
-use tilewright_machines::pixel_planes::{Binner, Regions, allocate, greatest_load_of_whole_regions, least_load};
+use tilewright_machines::pixel_planes::{
+    Binner, Regions, Vectors, allocate, greatest_load_of_whole_regions, least_load,
+};
 use tilewright_scenes::{Frame, Polygon, Polygons, Scene, Size, golden, project_polygons};
 
 fn project(name: &str, width: u32, height: u32) -> Polygons {
@@ -53,4 +55,14 @@ fn a_better_binner_leaves_less_to_do() {
     // Many vectors are longer than a region.
     assert!(tight.0 < by_columns.0 && by_columns.0 < by_box.0, "{tight:?}, {by_columns:?}, {by_box:?}");
     assert!(tight.1 <= by_columns.1.min(by_box.1), "{tight:?}, {by_columns:?}, {by_box:?}");
+}
+
+#[test]
+fn the_least_screen_of_vectors() {
+    let points = |width| {
+        let regions = Regions::new(Size::new(width, 384).expect("in range"), 128).expect("in range");
+        Vectors::new(regions, 0.0, Some(0.0), 1).is_ok()
+    };
+    // A region around them, and one to move in.
+    assert_eq!([383, 384].map(points), [false, true]);
 }

@@ -213,6 +213,13 @@ fn a_frame_comes_every_two_refreshes() {
 }
 
 #[test]
+fn a_frame_that_is_not_accumulated_has_one_pass() {
+    let projection = on_screen("star", 16, 12);
+    let config = Config { processors: 1, refresh: 5000.0, ..Config::new(projection.size) };
+    assert_eq!(render(config, &projection).expect("it renders").1.machine.passes, 1);
+}
+
+#[test]
 fn a_report_is_the_same_on_every_run() {
     let projection = on_screen("ter1k", 48, 36);
     let config = Config { processors: 3, ..small(projection.size) };

@@ -91,7 +91,7 @@ pub struct RingReport {
     pub bits: u64,
     /// Clocks of these bits, one after another.
     pub clocks: u64,
-    /// The bits over the ring's capacity until the last one, from 0 to 1.
+    /// The bits over what the ring's rate brings until the last one. It is slightly above 1 if the initial credit pays for some.
     pub load: f64,
 }
 

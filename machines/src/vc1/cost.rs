@@ -155,6 +155,11 @@ mod tests {
     }
 
     #[test]
+    fn clipping_costs_three_hundred_clocks() {
+        assert_eq!(CostTable::default().clip, 300);
+    }
+
+    #[test]
     fn a_packet_costs_its_set_up_its_rows_and_its_area() {
         let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
         // Rows 3 to 7 of a screen, and 25/2 pixels, which round up.

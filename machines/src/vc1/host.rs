@@ -154,7 +154,8 @@ impl<'a, 'w> Host<'a, 'w> {
                 let shown = self.shown(frame, processors);
                 self.comparison.show(shown.report.clone());
                 if !seen(shown) || self.frames.is_empty() && next.is_none() {
-                    return self.compare();
+                    self.compare()?;
+                    return self.differed.take().map_or(Ok(()), |(error, _)| Err(error));
                 }
             }
         }

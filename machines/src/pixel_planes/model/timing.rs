@@ -98,7 +98,7 @@ pub struct Starved {
 }
 
 impl RingTiming {
-    /// The bits that it brought, over its capacity until the last one.
+    /// The bits that it brought, over those of its rate until the last one; the initial credit comes on top.
     pub fn load(&self) -> f64 {
         self.bits as f64 / (self.rate * (self.last + 1)) as f64
     }

@@ -1,6 +1,7 @@
 //! The paper's numbers, and what follows from its formulas (facts A4, B).
 
 use super::*;
+use crate::pixelflow::Stereo;
 
 const EIGHT: Samples = Samples::Eight { rasterizations: 2.0 };
 
@@ -92,4 +93,12 @@ fn latency_grows_with_the_primitives() {
             assert_eq!(software.primitives_within(1.0), 0.0);
         }
     }
+}
+
+/// It works on both frames without a pause, and the last region follows.
+#[test]
+fn the_front_end_limits_two_frames() {
+    let plain = software(System::NonTexturing, 0, Samples::One);
+    let Times { front, compose, load, .. } = plain.times(500_000.0);
+    assert_eq!(plain.stereo_latency(500_000.0, Stereo::Sequential), 2.0 * front + compose.max(load));
 }

@@ -129,3 +129,14 @@ fn one_way_takes_longer_where_the_network_is_the_slowest() {
     let more = latency(false, 200) - latency(false, 0);
     assert!((0.31..0.33).contains(&more), "{more}");
 }
+
+/// With shading once per pixel, four regions are shaded together, when the last rendering of the last one has come.
+#[test]
+fn a_shader_works_on_four_regions_at_once() {
+    let software = software(System::Base, 4, EIGHT);
+    let turns = software.turns(8, Choices { shades: Shades::OncePerPixel, ..Choices::default() });
+    let takes: Vec<Ticks> = turns.iter().map(|turn| turn.shades.unwrap().takes).collect();
+    let (works, waits): (Vec<_>, Vec<_>) = takes.iter().enumerate().partition(|(number, _)| number % 8 == 7);
+    assert!(works.len() == 2 && works.iter().all(|(_, takes)| **takes > 0), "{takes:?}");
+    assert!(waits.iter().all(|(_, takes)| **takes == 0), "{takes:?}");
+}

@@ -172,3 +172,21 @@ fn counted_figures_are_near_those_of_the_formulas() {
         assert!(matrices[1..].iter().all(|point| point.figures.r_p > matrices[0].figures.r_p), "MPG-F6B");
     }
 }
+
+#[test]
+fn each_size_is_searched_as_it_is_beside_one_processor() {
+    let run = |sizes: &[u32]| {
+        let it = Study { sizes: sizes.to_vec(), ..study(&[(40.0, 50)]) };
+        it.run(&mut Watch::default()).expect("possible").expect("done")
+    };
+    assert_eq!(run(&[2]), run(&[0, 2])[1..]);
+}
+
+#[test]
+fn the_papers_samples_are_sixteen_areas_with_fewer_and_fewer_polygons() {
+    let paper = Study::paper(1).samples;
+    let areas: Vec<f64> = paper.iter().map(|it| it.area).collect();
+    assert_eq!(areas, [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5]);
+    let polygons: Vec<u64> = paper.iter().step_by(3).map(|it| it.polygons).collect();
+    assert_eq!(polygons, [20_000, 15_000, 8_000, 4_000, 1_000, 500]);
+}

@@ -1,4 +1,5 @@
 use super::*;
+use crate::Follower;
 use crate::run::Watch;
 use crate::vc1::{Clocks, Config, Machine, Report};
 use tilewright_scenes::{Projection, Scene, Size, project};
@@ -180,4 +181,21 @@ fn a_refresh_that_comes_at_another_time_is_found() {
     let (next, _) = comparison.model.refresh_from(dawn + 1);
     let refresh = 1e12 / config.refresh / Event::PE_PERIOD as f64;
     assert!(((next - dawn) as f64 - refresh).abs() < 2.0, "{dawn} {next}");
+}
+
+/// A machine that follows a pixel runs to its end, and has the difference as its error and in the way.
+#[test]
+fn a_difference_is_not_lost_where_a_pixel_is_followed() {
+    for (late, block, clock) in [(What::Restarts, "gfb-sequencer", "merge"), (What::Swaps, "lfb-swap", "pe")] {
+        let (config, view) = config();
+        let follower = Follower::new([32, 24]);
+        let mut machine = Machine::new(config).unwrap().following(&follower);
+        machine.falsify(move |event| Some(Event { clock: event.clock + u64::from(event.what == late), ..event }));
+        let mut views = [view.clone(), view].into_iter();
+        let rendered = machine.render_frames([0; 3], &mut Watch::default(), || views.next(), |_| true);
+        assert!(matches!(rendered, Err(Error::Differs { .. })), "{rendered:?}");
+        let way = follower.take().unwrap();
+        let first = way.first_difference().unwrap();
+        assert_eq!((first.block, first.clock.as_str()), (block, clock));
+    }
 }

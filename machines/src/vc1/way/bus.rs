@@ -130,3 +130,18 @@ impl Bus {
 fn at(clock: u64) -> At {
     At { unit: "broadcast bus".to_owned(), block: "broadcast-bus", edge: pe(clock) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_packet_of_two_senders_names_both() {
+        let (mut bus, mut told) = (Bus::new(2), Told::default());
+        bus.carries(1, 1, Word { word: 7, last: false }, &mut told);
+        // The host's number is after those of the processing elements.
+        bus.carries(2, 2, Word { word: 8, last: true }, &mut told);
+        let [step] = &told.take()[..] else { panic!("one packet is one step") };
+        assert_eq!(step.values, [compared("sender", "the host", "PE 1")]);
+    }
+}

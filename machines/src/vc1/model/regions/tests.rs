@@ -139,3 +139,23 @@ fn the_constants_give_the_rasterization_of_table_1() {
     });
     assert!(waiting.is_sorted(), "{waiting:?}");
 }
+
+/// A polygon off the screen is prepared before the first region, for which all others wait.
+#[test]
+fn what_is_off_the_screen_is_prepared_before_the_first_region() {
+    let size = Size::new(64, 64).unwrap();
+    let [seen, _] = square([40, 48], [0, 8]);
+    let mut projection = Arc::unwrap_or_clone(projection(size, &[seen]));
+    (projection.triangles[0].polygon, projection.counts.polygons) = (1, 2);
+    projection.corners.push(projection.corners[0]);
+    let projection = Arc::new(projection);
+    let interval = |area| {
+        let costs = CostTable { area, ..COSTS };
+        let config = Config { processors: 2, cluster: 1, costs, refresh: 1000.0, ..Config::new(size) };
+        let model = Model::new(config).unwrap();
+        let dealt = model.deal(&projection, None).unwrap();
+        model.by_regions(&Regions { buffers: 1, ..PLAIN }, &dealt).interval / PE_PERIOD
+    };
+    // One element prepares its polygon before the first region, and the other one in the second region.
+    assert_eq!(interval(50_000) - interval(0), 2 * 50_000);
+}
