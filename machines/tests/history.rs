@@ -21,8 +21,7 @@ fn check(history: &History, frame: &Frame, background: [u8; 3]) {
     assert!(is_covered.contains(&true) && is_covered.contains(&false));
     assert!(history.writes.is_sorted_by_key(|write| write.time));
     for lane in &history.lanes {
-        let fits =
-            |span: &tilewright_machines::Span| span.amount as f64 <= (span.to - span.from) as f64 * lane.rate * 1.001;
+        let fits = |span: &Span| span.amount as f64 <= (span.to - span.from) as f64 * lane.rate * 1.001;
         // The ring may bring what it saved up a little later.
         let is_ring = lane.of == "bits";
         assert!(lane.spans.iter().all(|span| span.from < span.to && (is_ring || fits(span))), "{lane:?}");
@@ -34,17 +33,38 @@ fn amount(history: &History, lane: &str, what: &str) -> u64 {
     history.lanes.iter().find(|it| it.name == lane).unwrap_or_else(|| panic!("no lane {lane}")).amount(what)
 }
 
+/// The patch of each pixel that is written has one page there at that time.
+fn each_pixel_is_drawn_into_a_page(history: &History) {
+    assert!(!history.areas.is_empty());
+    for write in &history.writes {
+        let [x, y] = [write.pixel % 64, write.pixel / 64];
+        let holds = |it: &&Area| {
+            let ([left, top], [width, height]) = (it.place, it.size);
+            let is_inside = (left..left + width).contains(&x) && (top..top + height).contains(&y);
+            it.painter == write.painter && (it.from..it.to).contains(&write.time) && is_inside
+        };
+        assert_eq!(history.areas.iter().filter(holds).count(), 1, "{write:?}");
+    }
+}
+
 #[test]
 fn processing_elements_of_a_vc1_have_the_clocks_of_the_report() -> Result<(), Box<dyn std::error::Error>> {
     let (scene, polygons) = star();
     let projection = project(&scene, polygons.size)?;
     let config =
         vc1::Config { processors: 3, apr: Some(20), cluster: 1, refresh: 5000.0, ..vc1::Config::new(polygons.size) };
-    let recorder = Recorder::default();
+    let recorder = Recorder::with_areas();
     let machine = vc1::Machine::new(config)?.recorded(&recorder);
     let (frame, report) = machine.render(&projection, scene.background, &mut Watch::default())?;
     let history = recorder.take().expect("a frame was rendered");
     check(&history, &frame, scene.background);
+    each_pixel_is_drawn_into_a_page(&history);
+    for lane in history.lanes.iter().filter(|it| it.name != "display") {
+        assert!(lane.spans.array_windows().all(|[one, next]| one.to == next.from), "{}", lane.name);
+        // Each span is of clocks, and has as many as its time.
+        let clocks = |span: &Span| (span.to - span.from) as f64 * lane.rate;
+        assert!(lane.spans.iter().all(|span| (clocks(span) - span.amount as f64).abs() < 1.0), "{lane:?}");
+    }
     let [frame] = &report.frames[..] else { panic!("one frame") };
     for (number, it) in frame.processors.iter().enumerate() {
         let lane = format!("PE {number}");
@@ -184,82 +204,49 @@ fn rasterizers_of_pixelflow_have_the_pixels_of_their_polygons() -> Result<(), Bo
 }
 
 #[test]
-fn units_of_a_vc1_take_all_of_their_spans_and_draw_where_they_have_pages() {
-    let scene = Scene::builtin("star").expect("a built-in scene");
-    let polygons = project_polygons(&scene, Size::new(64, 48).expect("in range")).expect("it can be set up");
-    let projection = project(&scene, polygons.size).expect("p");
-    let config =
-        vc1::Config { processors: 3, apr: Some(20), cluster: 1, refresh: 5000.0, ..vc1::Config::new(polygons.size) };
+fn windows_of_a_generator_end_and_its_stages_have_the_rate_of_their_units() -> Result<(), Box<dyn std::error::Error>> {
+    let (scene, Polygons { polygons, size, .. }) = star();
+    let config = quadtree::Config { matrix: (4, 2), ..quadtree::Config::for_packets(size, &polygons) };
     let recorder = Recorder::with_areas();
-    let machine = vc1::Machine::new(config).expect("in range").recorded(&recorder);
-    machine.render(&projection, scene.background, &mut Watch::default()).expect("it renders");
-    let history = recorder.take().expect("a frame was rendered");
-    for lane in history.lanes.iter().filter(|it| it.name != "display") {
-        assert!(lane.spans.array_windows().all(|[one, next]| one.to == next.from), "{}", lane.name);
-        // A unit that does something all the time.
-        let is_all = |span: &Span| (span.to - span.from) as f64 * lane.rate;
-        assert!(lane.spans.iter().all(|span| (is_all(span) - span.amount as f64).abs() < 1.0), "{lane:?}");
-    }
-    // A pixel is drawn into a patch that has a page.
-    assert!(!history.areas.is_empty());
-    for write in &history.writes {
-        let [x, y] = [write.pixel % 64, write.pixel / 64];
-        let holds = |it: &&Area| {
-            let [left, top] = it.place;
-            it.painter == write.painter
-                && (it.from..it.to).contains(&write.time)
-                && (left..left + it.size[0]).contains(&x)
-                && (top..top + it.size[1]).contains(&y)
-        };
-        assert_eq!(history.areas.iter().filter(holds).count(), 1, "{write:?}");
-    }
-}
-
-#[test]
-fn windows_of_a_generator_end_and_its_stages_have_the_rate_of_their_units() {
-    let scene = Scene::builtin("star").expect("a built-in scene");
-    let polygons = project_polygons(&scene, Size::new(64, 48).expect("in range")).expect("it can be set up");
-    let config =
-        quadtree::Config { matrix: (4, 2), ..quadtree::Config::for_packets(polygons.size, &polygons.polygons) };
-    let recorder = Recorder::with_areas();
-    let mut machine = quadtree::Machine::new(config).expect("in range").recorded(&recorder);
-    let (_, report) = machine.render(&polygons.polygons, scene.background, &mut Watch::default()).expect("it renders");
+    let mut machine = quadtree::Machine::new(config)?.recorded(&recorder);
+    let (_, report) = machine.render(&polygons, scene.background, &mut Watch::default())?;
     let history = recorder.take().expect("a frame was rendered");
     for stage in &report.stages {
-        let lane = if stage.level == 0 { "set-up".to_owned() } else { format!("{} pipe", stage.level) };
-        let lane = history.lanes.iter().find(|it| it.name == lane).unwrap_or_else(|| panic!("{lane}"));
-        assert_eq!(lane.rate, f64::from(8 * stage.units) / 10_000.0);
+        let name = if stage.level == 0 { "set-up".to_owned() } else { format!("{} pipe", stage.level) };
+        let lane = history.lanes.iter().find(|it| it.name == name).unwrap_or_else(|| panic!("no lane {name}"));
+        assert_eq!(lane.rate, f64::from(8 * stage.units) / 10_000.0, "8 video processors, and clocks of 10 ns");
     }
-    // A unit that takes a window has ended the one before, and each tests some for a few clocks.
+    // A unit that takes a window has ended the one before; after the last packet, all have ended.
     assert!(!history.areas.is_empty());
-    assert!(
-        history.areas.iter().all(|it| it.from < it.to && it.to < u64::MAX),
-        "{:?}",
-        history.areas.iter().filter(|it| it.to == u64::MAX).count()
-    );
+    assert!(history.areas.iter().all(|it| it.from < it.to && it.to < u64::MAX));
+    Ok(())
 }
 
 #[test]
-fn a_slow_ring_has_the_load_of_its_bits_and_makes_a_renderer_wait() {
-    let scene = Scene::builtin("star").expect("a built-in scene");
-    let polygons = project_polygons(&scene, Size::new(64, 48).expect("in range")).expect("it can be set up");
+fn a_slow_ring_has_the_load_of_its_bits_and_makes_renderers_wait() -> Result<(), Box<dyn std::error::Error>> {
+    let (scene, polygons) = star();
     let config = pixel_planes::Config { renderers: 2, side: 16, ring: 320, ..pixel_planes::Config::new(polygons.size) };
     let recorder = Recorder::default();
-    let machine = pixel_planes::Machine::new(config).expect("ok").recorded(&recorder);
-    let (_, report) = machine.render(&polygons, scene.background, &mut Watch::default()).expect("it renders");
+    let machine = pixel_planes::Machine::new(config)?.recorded(&recorder);
+    let (_, report) = machine.render(&polygons, scene.background, &mut Watch::default())?;
     let history = recorder.take().expect("a frame was rendered");
-    // Eight bits a clock, until the last plane.
+    // It brings 8 bits a clock, until the last plane.
     assert_eq!(report.ring.load, report.ring.bits as f64 / (8 * report.sent) as f64);
-    // Two renderers: the mean is half of both.
+    // The mean of two renderers is half of both.
     let [one, other] = [0, 1].map(|number| report.renderers[number].working());
     assert_eq!(report.balance(), (one + other) as f64 / (2 * one.max(other)) as f64);
-    // The first to wait, of those that wait at the same time the lower number.
+    // Of renderers that begin to wait at the same time, the lower number is the first.
     let waits = |number: usize| {
-        let lane = &history.lanes[number];
-        lane.spans.iter().find(|span| span.what == "waiting for instructions").map(|span| (span.from / 25_000, number))
+        let mut spans = history.lanes[number].spans.iter();
+        spans.find(|span| span.what == "waiting for instructions").map(|span| (span.from / 25_000, number))
     };
-    let first = report.first_starved.expect("a slow ring");
-    assert!(waits(first.renderer) <= waits(1 - first.renderer));
-    let mean = pixel_planes::ProgramClocks { program: "flat_least", primitives: 1, clocks: 97, most: 97 }.mean();
-    assert_eq!(mean, 97.0);
+    let first = report.first_starved.expect("a slow ring").renderer;
+    assert!(waits(first) <= waits(1 - first));
+    Ok(())
+}
+
+#[test]
+fn the_mean_of_one_primitive_is_its_own_clocks() {
+    let clocks = pixel_planes::ProgramClocks { program: "flat_least", primitives: 1, clocks: 97, most: 97 };
+    assert_eq!(clocks.mean(), 97.0);
 }

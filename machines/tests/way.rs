@@ -76,7 +76,7 @@ fn times(way: &Way, does: &str) -> usize {
     way.steps.iter().filter(|step| step.does.starts_with(does)).count()
 }
 
-/// What the first step that does something has of that name.
+/// The hardware's value of that name in the first step that does so.
 fn told<'a>(way: &'a Way, does: &str, what: &str) -> Option<&'a str> {
     let step = way.steps.iter().find(|step| step.does.starts_with(does))?;
     step.values.iter().find(|it| it.what == what).map(|it| it.hardware.as_str())
@@ -137,20 +137,19 @@ fn steps_of_a_generator_have_their_packet_their_sample_and_their_clock() {
 }
 
 #[test]
-fn values_of_a_pixel_planes_way() {
-    let scene = Scene::builtin("star").expect("built in");
+fn a_renderer_tells_the_word_that_it_writes_and_what_an_instruction_changes() {
+    let scene = Scene::builtin("star").expect("a built-in scene");
     let size = Size::new(32, 24).expect("in range");
-    let polygons = project_polygons(&scene, size).expect("in front");
+    let polygons = project_polygons(&scene, size).expect("it can be set up");
     let follower = Follower::new([16, 12]);
     let config = pixel_planes::Config { renderers: 2, side: 16, ..pixel_planes::Config::new(size) };
-    let machine = pixel_planes::Machine::new(config).expect("it can be built").following(&follower);
-    let (frame, _) = machine.render(&polygons, scene.background, &mut Watch::default()).expect("nobody stops it");
-    let way = follower.take().expect("a frame was rendered");
+    let machine = pixel_planes::Machine::new(config).expect("in range").following(&follower);
+    let (frame, _) = machine.render(&polygons, scene.background, &mut Watch::default()).expect("it renders");
+    let way = follower.take().expect("a way");
     let word = format!("{:x}", frame.word(16, 12));
     for does in ["has sent the pixel's planes", "writes the pixel's word", "reads the pixel's word"] {
         assert_eq!(told(&way, does, "word").map(|it| it.trim_start_matches('0')), Some(&*word), "{does}");
     }
-    // What an instruction changes: the pixel, its enable, or its flag.
     let whats = |does: &str| {
         let step = way.steps.iter().find(|step| step.block == "pixel-processor" && step.does == does);
         step.unwrap_or_else(|| panic!("{does}")).values.iter().map(|it| it.what).collect::<Vec<_>>()
@@ -159,45 +158,37 @@ fn values_of_a_pixel_planes_way() {
     assert_eq!(whats("does CompareOn"), ["flag", "word"]);
 }
 
-#[test]
-fn values_of_a_pixelflow_way() {
-    let (scene, size) = (Scene::builtin("textured").expect("built in"), size());
-    let deferred = project_deferred(&scene, size, Samples::One).expect("in front");
-    let follower = Follower::new([8, 6]);
-    let config = pixelflow::Config { nodes: 4, shaders: 1, array: [8, 8], ..pixelflow::Config::new(size) };
-    let machine = pixelflow::Machine::new(config).expect("it can be built").following(&follower);
-    let (_, report) = machine.render(&deferred, &mut Watch::default()).expect("nobody stops it");
-    let way = follower.take().expect("a frame was rendered");
-    let winner = way.primitives.iter().find(|it| it.wins).expect("something is there").number;
-    let is_its = |step: &&Step| step.primitive == Some(winner) && step.does == "evaluates an edge";
-    let mut signs = way.steps.iter().filter(is_its).flat_map(|step| &step.values).peekable();
-    assert!(signs.peek().is_some() && signs.all(|it| it.hardware == "inside"));
-    // Its depth is compared once.
-    let has_flag = |step: &&Step| {
-        step.primitive == Some(winner)
-            && step.block == "pixelflow-pixel"
-            && step.values.iter().any(|it| it.what == "flag")
-    };
-    assert_eq!(way.steps.iter().filter(has_flag).count(), 1);
-    let time = |does: &str| way.steps.iter().find(|step| step.does == does).map(|step| step.time / 5000);
-    let turn = |it: u64| report.turns.iter().any(|turn| turn.loaded.contains(&it));
-    let [takes, shows] = ["takes the pixel's colour", "displays the pixel"].map(|it| time(it).expect(it));
-    assert!(turn(takes), "{takes}");
-    assert!(shows > report.turns.last().expect("turns").loaded.end);
+/// The way of a pixel through a PixelFlow of four nodes, and the report.
+fn through_a_pixelflow(pixel: [u32; 2]) -> (Way, pixelflow::Report) {
+    let scene = Scene::builtin("textured").expect("a built-in scene");
+    let deferred = project_deferred(&scene, size(), Samples::One).expect("it can be set up");
+    let follower = Follower::new(pixel);
+    let config = pixelflow::Config { nodes: 4, shaders: 1, array: [8, 8], ..pixelflow::Config::new(size()) };
+    let machine = pixelflow::Machine::new(config).expect("in range").following(&follower);
+    let (_, report) = machine.render(&deferred, &mut Watch::default()).expect("it renders");
+    (follower.take().expect("a way"), report)
 }
 
 #[test]
-fn pixels_are_displayed_one_in_a_clock() {
-    let (scene, size) = (Scene::builtin("textured").expect("built in"), size());
-    let deferred = project_deferred(&scene, size, Samples::One).expect("in front");
+fn a_pixel_of_a_pixelflow_is_inside_of_what_wins_and_is_compared_once() {
+    let (way, report) = through_a_pixelflow([8, 6]);
+    let winner = way.primitives.iter().find(|it| it.wins).expect("something is there").number;
+    let its = || way.steps.iter().filter(|step| step.primitive == Some(winner));
+    let mut sides = its().filter(|step| step.does == "evaluates an edge").flat_map(|step| &step.values).peekable();
+    assert!(sides.peek().is_some() && sides.all(|it| it.hardware == "inside"));
+    let has_flag = |step: &&Step| step.block == "pixelflow-pixel" && step.values.iter().any(|it| it.what == "flag");
+    assert_eq!(its().filter(has_flag).count(), 1);
+    // Its colour is taken while a region is loaded.
+    let takes = way.steps.iter().find(|step| step.does == "takes the pixel's colour").expect("it is taken");
+    assert!(report.turns.iter().any(|turn| turn.loaded.contains(&(takes.time / 5000))), "{}", takes.time);
+}
+
+#[test]
+fn a_pixelflow_displays_a_pixel_a_clock() {
     for (number, pixel) in [(104, [8, 6]), (3, [3, 0]), (191, [15, 11]), (0, [0, 0])] {
-        let follower = Follower::new(pixel);
-        let config = pixelflow::Config { nodes: 4, shaders: 1, array: [8, 8], ..pixelflow::Config::new(size) };
-        let machine = pixelflow::Machine::new(config).expect("it can be built").following(&follower);
-        let (_, report) = machine.render(&deferred, &mut Watch::default()).expect("nobody stops it");
-        let way = follower.take().expect("a frame was rendered");
+        let (way, report) = through_a_pixelflow(pixel);
         let shows = way.steps.iter().find(|step| step.does == "displays the pixel").expect("it is displayed");
-        // The read-out begins 11 clocks after the last region is loaded.
+        // The scan begins 11 clocks after the last region is loaded.
         assert_eq!(shows.cycle, report.turns.last().expect("regions").loaded.end / 2 + 11 + number, "{pixel:?}");
     }
 }
