@@ -64,7 +64,7 @@ impl Machine {
     }
 
     /// The same machine with a follower of a pixel on its screen. It does not stop at what it checks itself, as the way tells it. A frame then has
-    /// the colours that the display got.
+    /// the colours that the display got. What differed from the model's clocks is its error at the end.
     ///
     /// # Panics
     /// The pixel is outside of the screen.
