@@ -340,8 +340,9 @@ impl Module {
 /// valid one.
 pub(crate) fn declare(e: &mut Elaboration, op: Op, (what, name): (&str, &str), width: Width, loc: Loc) -> NodeId {
     let name = e.draft().prefixed(name);
-    let shape = sound_shape(e, format_args!("{what} `{name}`"), width.shape, loc);
-    let bits = sound_width(e, &[], format_args!("{what} `{name}`"), width.bits.into(), loc);
+    let what = format_args!("{what} `{name}`");
+    let shape = sound_shape(e, what, width.shape, loc);
+    let bits = sound_width(e, &[], what, width.bits.into(), loc);
     let draft = e.draft();
     let id = draft.add(op, bits, shape, loc);
     if (bits, shape) != (width.bits, width.shape) {
