@@ -128,7 +128,7 @@ impl<'a, 'b> Emitter<'a, 'b> {
                         self.store_single(id, place, self.state, place.offset);
                     }
                 }
-                Step::Pack(id) => self.pack(id),
+                Step::Collect(id) => self.collect_array(id),
                 Step::Kernel(stage, lanes) => self.kernel(lanes, &plan.stages[stage].kernels[&lanes]),
                 Step::Sink(index) => self.sink(index),
             }
@@ -142,7 +142,7 @@ impl<'a, 'b> Emitter<'a, 'b> {
             self.copy(*waiting, place);
         }
         let held = self.function.sinks.iter().find_map(|sink| match sink {
-            Sink::Hold(value) => Some(*value),
+            Sink::ContinueIf(value) => Some(*value),
             _ => None,
         });
         held.map(|value| {
@@ -238,7 +238,7 @@ impl<'a, 'b> Emitter<'a, 'b> {
                 self.scalars.store(self.builder, value, 64, row, offset(8 * at));
             }
             // It is stored where it is computed.
-            Sink::Show(_) | Sink::Hold(_) => {}
+            Sink::Show(_) | Sink::ContinueIf(_) => {}
         }
     }
 

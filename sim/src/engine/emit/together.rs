@@ -1,4 +1,4 @@
-//! Arrays in memory that are assembled: from scalars, from shorter arrays, or from the limbs of a value.
+//! Arrays in memory that are collected: from scalars, from shorter arrays, or from the limbs of a value.
 
 use super::{Emitter, offset};
 use crate::engine::layout::Place;
@@ -7,7 +7,7 @@ use crate::engine::program::{Kind, ValueId};
 impl Emitter<'_, '_> {
     /// Stores scalars, or the lanes of shorter arrays, side by side; rows one after another; or the limbs of a value
     /// as lanes.
-    pub(super) fn pack(&mut self, id: ValueId) {
+    pub(super) fn collect_array(&mut self, id: ValueId) {
         let place = self.addresses.of(id);
         match &self.function.cell(id).kind {
             Kind::Unpack { of, .. } => {
@@ -17,23 +17,23 @@ impl Emitter<'_, '_> {
             Kind::Stack { parts, inner: 1 } => {
                 let lanes = self.function.cell(parts[0]).lanes;
                 for (i, &part) in (0..).zip(parts) {
-                    self.pack_lanes(part, lanes, place, |lane| lane * parts.len() as u32 + i);
+                    self.collect_lanes(part, lanes, place, |lane| lane * parts.len() as u32 + i);
                 }
             }
             Kind::Stack { parts, inner } => {
                 for (i, &part) in (0..).zip(parts) {
                     match self.addresses.has(part) {
                         true => self.copy_row(self.addresses.of(part), place, i * inner),
-                        false => self.pack_lanes(part, *inner, place, |lane| i * inner + lane),
+                        false => self.collect_lanes(part, *inner, place, |lane| i * inner + lane),
                     }
                 }
             }
-            _ => unreachable!("only these are packed"),
+            _ => unreachable!("only these are collected"),
         }
     }
 
     /// Stores a scalar, or each lane of an array, at lane `at(i)` of a place.
-    fn pack_lanes(&mut self, part: ValueId, lanes: u32, place: Place, at: impl Fn(u32) -> u32) {
+    fn collect_lanes(&mut self, part: ValueId, lanes: u32, place: Place, at: impl Fn(u32) -> u32) {
         for lane in 0..lanes {
             let value = match lanes {
                 1 => {

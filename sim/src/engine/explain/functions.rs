@@ -105,7 +105,7 @@ pub(super) fn line(text: &Text, function: &Function, sink: usize) -> String {
             text.change(&format!("{}[{}]", text.memory(memory), text.name(address)), &text.name(data), Some(enable))
         }
         Sink::Show(value) => format!("  show {}\n", text.name(value)),
-        Sink::Hold(value) => format!("  continue if {}\n", text.name(value)),
+        Sink::ContinueIf(value) => format!("  continue if {}\n", text.name(value)),
         Sink::Row { at, value, .. } => format!("  row[{at}] {}\n", text.name(value)),
     }
 }
@@ -117,7 +117,7 @@ fn planned(program: &Program, function: &Function, plan: &Plan, names: &Names) -
     let mut out = String::new();
     for (number, stage) in plan.stages.iter().enumerate() {
         let _ = writeln!(out, "stage {number}");
-        for (what, ids) in [("one lane", &stage.single), ("side by side", &stage.packed)] {
+        for (what, ids) in [("one lane", &stage.single), ("side by side", &stage.collected)] {
             if !ids.is_empty() {
                 let _ = writeln!(out, "  {what}: {}", list(&text, ids));
             }
@@ -197,7 +197,7 @@ fn sequenced(program: &Program, function: &Function, plan: &Plan, pieces: &[Vec<
         let _ = writeln!(out, "piece {number}");
         for &step in steps {
             match step {
-                Step::Single(id) | Step::Pack(id) => {
+                Step::Single(id) | Step::Collect(id) => {
                     let _ = writeln!(out, "  {}", text.values([id].into_iter()).trim());
                 }
                 Step::Kernel(stage, lanes) => {

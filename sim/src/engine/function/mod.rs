@@ -40,7 +40,7 @@ pub(super) enum Sink {
     /// A value is stored for a testbench.
     Show(ValueId),
     /// The function continues only if this is 1.
-    Hold(ValueId),
+    ContinueIf(ValueId),
     /// A value of one lane is stored in a row, as its limbs.
     Row {
         /// The address of the row.
@@ -58,7 +58,7 @@ impl Sink {
         let (Sink::Register { state: id, .. }
         | Sink::Write { enable: id, .. }
         | Sink::Show(id)
-        | Sink::Hold(id)
+        | Sink::ContinueIf(id)
         | Sink::Row { value: id, .. }) = *self;
         circuit[id].lanes
     }
@@ -71,7 +71,7 @@ impl Sink {
                 enable.into_iter().for_each(visit);
             }
             Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
-            Sink::Show(value) | Sink::Hold(value) => visit(value),
+            Sink::Show(value) | Sink::ContinueIf(value) => visit(value),
             Sink::Row { row, value, .. } => [row, value].into_iter().for_each(visit),
         }
     }
@@ -84,7 +84,7 @@ impl Sink {
                 enable.iter_mut().for_each(visit);
             }
             Sink::Write { enable, address, data, .. } => [enable, address, data].into_iter().for_each(visit),
-            Sink::Show(value) | Sink::Hold(value) => visit(value),
+            Sink::Show(value) | Sink::ContinueIf(value) => visit(value),
             Sink::Row { row, value, .. } => [row, value].into_iter().for_each(visit),
         }
     }
@@ -229,7 +229,7 @@ impl<'a> Maker<'a> {
 
     /// The function continues only if this is 1.
     pub fn go_on_if(&mut self, flag: ValueId) {
-        self.function.sinks.push(Sink::Hold(flag));
+        self.function.sinks.push(Sink::ContinueIf(flag));
     }
 
     /// A value of the program.

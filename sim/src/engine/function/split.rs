@@ -134,7 +134,7 @@ fn outside(function: &Function, sinks: Vec<Sink>, crossing: &[ValueId]) -> Funct
     rebuild(function.circuit(), roots(&outside.sinks), &mut became, &mut outside.rewriter, Rewriter::number);
     outside.sinks.iter_mut().for_each(|sink| sink.rewrite(|operand| *operand = became[operand]));
     if let Some(all) = hold(&mut outside) {
-        outside.sinks.push(Sink::Hold(all));
+        outside.sinks.push(Sink::ContinueIf(all));
     }
     outside
 }
@@ -148,10 +148,10 @@ fn roots(sinks: &[Sink]) -> Vec<ValueId> {
 
 /// Removes the assertions from a function; returns their conjunction, if there are any.
 fn hold(function: &mut Function) -> Option<ValueId> {
-    let held = |sink: &mut Sink| matches!(sink, Sink::Hold(_));
+    let held = |sink: &mut Sink| matches!(sink, Sink::ContinueIf(_));
     let mut all = None;
     for sink in function.sinks.extract_if(.., held) {
-        let Sink::Hold(value) = sink else { continue };
+        let Sink::ContinueIf(value) = sink else { continue };
         all = Some(all.map_or(value, |all| function.rewriter.add(Kind::Binary(Binary::And, all, value), 1, 1)));
     }
     all
@@ -164,13 +164,13 @@ fn taken_apart(
     places: &FxHashMap<ValueId, Place>,
     sink: &Sink,
 ) -> Vec<(Option<UnitId>, Sink)> {
-    let &Sink::Hold(all) = sink else { return vec![(units.of_sink(sink), sink.clone())] };
+    let &Sink::ContinueIf(all) = sink else { return vec![(units.of_sink(sink), sink.clone())] };
     let (mut open, mut parts) = (vec![all], Vec::new());
     while let Some(id) = open.pop() {
         match (&function.cell(id).kind, places[&id]) {
             (&Kind::Binary(Binary::And, a, b), _) => open.extend([b, a]),
-            (_, Place::Unit(unit)) => parts.push((Some(unit), Sink::Hold(id))),
-            _ => parts.push((None, Sink::Hold(id))),
+            (_, Place::Unit(unit)) => parts.push((Some(unit), Sink::ContinueIf(id))),
+            _ => parts.push((None, Sink::ContinueIf(id))),
         }
     }
     parts
@@ -234,7 +234,7 @@ impl Cut<'_> {
     fn part(&mut self, unit: UnitId, sinks: Vec<Sink>) -> Part {
         let mut part =
             Making { rewriter: self.function.rewriter.empty(), became: Became::default(), states: Vec::new() };
-        let holds = sinks.iter().any(|sink| matches!(sink, Sink::Hold(_))).then(|| {
+        let holds = sinks.iter().any(|sink| matches!(sink, Sink::ContinueIf(_))).then(|| {
             part.states.push(From::Holds);
             part.rewriter.state(1, 1)
         });

@@ -43,8 +43,8 @@ pub(super) struct Plan {
 pub(super) struct Stage {
     /// Values of one lane.
     pub single: Vec<ValueId>,
-    /// Arrays of lanes made from scalars or from other arrays.
-    pub packed: Vec<ValueId>,
+    /// Arrays of lanes collected from scalars or from other arrays.
+    pub collected: Vec<ValueId>,
     /// Loops by lane count.
     pub kernels: BTreeMap<u32, Kernel>,
     /// The loops over the most lanes come first.
@@ -122,7 +122,7 @@ enum Role {
     /// In memory from the start: state, or lanes that are all constant.
     Resident,
     Single,
-    Packed,
+    Collected,
     /// The same scalar, or row, in all lanes: no work of its own.
     Rematerialised,
     /// In the kernel with this number of lanes.
@@ -133,7 +133,7 @@ impl Role {
     fn place(self) -> u32 {
         match self {
             Role::Kernel(lanes) => lanes,
-            Role::Packed => 1,
+            Role::Collected => 1,
             _ => 0,
         }
     }
@@ -240,7 +240,7 @@ impl Planner<'_> {
             Kind::Const(_) => Role::Constant,
             Kind::State => Role::Resident,
             _ if self.function.is_table(id) => Role::Resident,
-            Kind::Stack { .. } | Kind::Unpack { .. } => Role::Packed,
+            Kind::Stack { .. } | Kind::Unpack { .. } => Role::Collected,
             Kind::Broadcast { of, axis }
                 if (axis.inner > 1 || self.function.cell(*of).lanes == 1) && !self.looked_at.contains(&id) =>
             {
@@ -260,7 +260,7 @@ impl Planner<'_> {
             Kind::Lowered(Lowered::Word { .. } | Lowered::WordOf { .. }) | Kind::Reduce { .. } | Kind::Alias(_) => true,
             ref kind => kind.is_elementwise(),
         };
-        takes_lane && matches!(self.role(operand), Role::Kernel(_) | Role::Packed) && !self.is_apart(operand)
+        takes_lane && matches!(self.role(operand), Role::Kernel(_) | Role::Collected) && !self.is_apart(operand)
     }
 
     /// Whether no cell uses a value with lanes in the loop that computes it.
@@ -289,9 +289,9 @@ impl Planner<'_> {
         match self.role(id) {
             Role::Constant | Role::Resident => 0,
             Role::Single | Role::Rematerialised => at,
-            Role::Packed if by_lane => at,
+            Role::Collected if by_lane => at,
             Role::Kernel(_) if by_lane => at,
-            Role::Packed | Role::Kernel(_) => at + 1,
+            Role::Collected | Role::Kernel(_) => at + 1,
         }
     }
 
@@ -330,7 +330,7 @@ impl Planner<'_> {
             };
             self.positions[id.index()].stage = stage;
             self.function.cell(id).kind.for_each_operand(|operand| {
-                let is_stored = matches!(self.role(operand), Role::Kernel(_) | Role::Packed);
+                let is_stored = matches!(self.role(operand), Role::Kernel(_) | Role::Collected);
                 let after = usize::from(is_stored && !self.by_lane(id, operand));
                 let limit = &mut limits[operand.index()];
                 *limit = (*limit).min(stage.saturating_sub(after));
@@ -344,7 +344,7 @@ impl Planner<'_> {
         match self.role(id) {
             Role::Constant | Role::Resident | Role::Rematerialised => {}
             Role::Single => plan.at(stage).single.push(id),
-            Role::Packed => plan.at(stage).packed.push(id),
+            Role::Collected => plan.at(stage).collected.push(id),
             Role::Kernel(lanes) => plan.at(stage).kernels.entry(lanes).or_default().cells.push(id),
         }
     }
@@ -391,7 +391,7 @@ impl Planner<'_> {
         let mut need = |operand: ValueId, reader: Position, by_lane: bool| {
             let stored = match self.role(operand) {
                 Role::Kernel(_) => !by_lane || self.positions[operand.index()] != reader,
-                Role::Packed => true,
+                Role::Collected => true,
                 _ => false,
             };
             if stored {

@@ -16,8 +16,8 @@ use crate::engine::program::{Kind, Lowered, ValueId};
 pub(crate) enum Step {
     /// Computes a single value.
     Single(ValueId),
-    /// Stores scalars side by side.
-    Pack(ValueId),
+    /// Stores scalars, or lanes of other arrays, side by side.
+    Collect(ValueId),
     /// Runs the kernel with this number of lanes of a stage.
     Kernel(usize, u32),
     /// Executes a sink of scalars.
@@ -31,7 +31,7 @@ pub(super) fn sequence(function: &mut Function, plan: &mut Plan, longest: usize)
     let steps = interleaved(function, plan);
     let weight = |step: &Step| match *step {
         Step::Kernel(stage, lanes) => kernel_weight(&plan.stages[stage].kernels[&lanes]),
-        Step::Single(id) | Step::Pack(id) => cell_weight(&function.cell(id).kind),
+        Step::Single(id) | Step::Collect(id) => cell_weight(&function.cell(id).kind),
         Step::Sink(_) => 1,
     };
     if steps.iter().map(weight).sum::<usize>() <= longest {
@@ -77,7 +77,7 @@ fn name_states(function: &mut Function, plan: &mut Plan) {
     let mut added = Vec::new();
     for index in 0..function.sinks.len() {
         let mut sink = function.sinks[index].clone();
-        if sink.lanes(function.circuit()) > 1 || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
+        if sink.lanes(function.circuit()) > 1 || matches!(sink, Sink::Show(_) | Sink::ContinueIf(_)) {
             continue;
         }
         sink.rewrite(|operand| {
@@ -98,7 +98,7 @@ fn name_states(function: &mut Function, plan: &mut Plan) {
 fn for_each_read(function: &Function, plan: &Plan, step: Step, mut visit: impl FnMut(ValueId)) {
     match step {
         Step::Single(id) => function.cell(id).kind.for_each_operand(visit),
-        Step::Pack(id) => function.cell(id).kind.for_each_operand(|part| {
+        Step::Collect(id) => function.cell(id).kind.for_each_operand(|part| {
             visit(part);
             if let Kind::Broadcast { of, .. } = function.cell(part).kind {
                 visit(of);
@@ -137,7 +137,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
     let mut steps: Vec<Step> = Vec::new();
     for (number, stage) in plan.stages.iter().enumerate() {
         steps.extend(stage.single.iter().map(|&id| Step::Single(id)));
-        steps.extend(stage.packed.iter().map(|&id| Step::Pack(id)));
+        steps.extend(stage.collected.iter().map(|&id| Step::Collect(id)));
         steps.extend(stage.loops().into_iter().map(|(lanes, _)| Step::Kernel(number, lanes)));
     }
     // For each value, the step after which it is available and no longer read.
@@ -148,7 +148,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
             last.insert(id, position);
         });
         let computed: &[ValueId] = match step {
-            Step::Single(id) | Step::Pack(id) => &[id],
+            Step::Single(id) | Step::Collect(id) => &[id],
             Step::Kernel(stage, lanes) => &plan.stages[stage].kernels[&lanes].cells,
             Step::Sink(_) => &[],
         };
@@ -171,7 +171,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
                 words.extend(position.map(|position| (memory, position)));
             }
             Sink::Show(_) | Sink::Row { .. } => {}
-            Sink::Hold(_) => continue,
+            Sink::ContinueIf(_) => continue,
         }
         after.entry(position).or_default().push(index);
     }
@@ -198,7 +198,7 @@ fn store_between(function: &Function, plan: &mut Plan, pieces: &[Vec<Step>]) {
         }
     }
     for sink in &function.sinks {
-        if let Sink::Hold(value) = sink
+        if let Sink::ContinueIf(value) = sink
             && made.get(value).is_some_and(|&maker| maker + 1 != pieces.len())
         {
             stored.insert(*value);

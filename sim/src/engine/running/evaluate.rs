@@ -97,7 +97,7 @@ impl Evaluated {
         self.function.needed().into_iter().for_each(|id| values.evaluate(id));
         self.function.sinks.iter().for_each(|sink| values.sink(sink));
         let held = self.function.sinks.iter().find_map(|sink| match sink {
-            Sink::Hold(value) => Some(values.number(*value, 0).limbs[0] == 1),
+            Sink::ContinueIf(value) => Some(values.number(*value, 0).limbs[0] == 1),
             _ => None,
         });
         let is_unchecked = |place: Place| {
@@ -226,7 +226,7 @@ impl Values<'_> {
                 let to = unsafe { std::slice::from_raw_parts(first as *const Number64<u64>, limbs.len()) };
                 to.iter().zip(limbs).for_each(|(to, limb)| to.set(*limb));
             }
-            Sink::Hold(_) => {}
+            Sink::ContinueIf(_) => {}
         }
     }
 

@@ -199,7 +199,7 @@ impl Compiled {
                     pieces => {
                         let results = pieces.iter().map(|code| code.emit_call(builder, state, left));
                         let last = results.last().expect("there are pieces");
-                        let holds = part.function.sinks.iter().any(|sink| matches!(sink, Sink::Hold(_)));
+                        let holds = part.function.sinks.iter().any(|sink| matches!(sink, Sink::ContinueIf(_)));
                         holds.then(|| builder.truncate(Type::I8, last))
                     }
                 };

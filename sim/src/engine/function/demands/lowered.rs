@@ -31,7 +31,7 @@ pub(crate) fn check_lowered(function: &Function, strips: &StripSizes, memories: 
     }
     let mut demands = Demands { function, strips, memories, shapes, written, bounds: Bounds::new(function.circuit()) };
     function.needed().into_iter().for_each(|id| demands.cell(id));
-    let holds = function.sinks.iter().filter(|sink| matches!(sink, Sink::Hold(_))).count();
+    let holds = function.sinks.iter().filter(|sink| matches!(sink, Sink::ContinueIf(_))).count();
     assert!(holds <= 1, "a lowered function goes on by more than one value");
     function.sinks.iter().for_each(|sink| demands.sink(sink));
 }
@@ -156,7 +156,7 @@ impl Demands<'_> {
             }
             // A shown value is stored where it is computed.
             Sink::Show(value) => self.function.circuit().constant(value).is_none(),
-            Sink::Hold(value) => is(value, 1),
+            Sink::ContinueIf(value) => is(value, 1),
             Sink::Row { row, value, .. } => is(row, 64) && self.function.cell(value).lanes == 1,
         };
         assert!(fits, "a lowered function does what there is no code for: {sink:?}");

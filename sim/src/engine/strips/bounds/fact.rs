@@ -124,7 +124,9 @@ impl Fact {
             Unary::WidenHigh { signed } => Vector(lanes(ty, |i| extended(signed, lane(from, bits, i + ty.lanes())))),
             Unary::HighBits => Number(0, ones(from.lanes())),
             Unary::AnyBit => Number(0, 1),
-            _ => Fact::any(ty),
+            Unary::Not | Unary::Neg | Unary::SignExtend | Unary::Truncate | Unary::ToFloat | Unary::ToInteger => {
+                Fact::any(ty)
+            }
         }
     }
 
@@ -201,7 +203,13 @@ fn of_numbers(binary: Binary, ty: Type, (a, b): (u64, u64), (c, d): (u64, u64)) 
         Binary::Shr => Some(by.map_or((0, b), |by| (a >> by, b >> by))),
         Binary::Sar if b <= all / 2 => of_numbers(Binary::Shr, ty, (a, b), (c, d)),
         Binary::Min => Some((a.min(c), b.min(d))),
-        _ => None,
+        Binary::Sub
+        | Binary::Sar
+        | Binary::RotateLeft
+        | Binary::Narrow { .. }
+        | Binary::Swizzle
+        | Binary::LookUp
+        | Binary::MulFloat => None,
     }
 }
 
@@ -255,6 +263,6 @@ fn of_vectors(binary: Binary, ty: Type, (from, x): (Type, Possible), (right, y):
             let numbers = lane(ty, y, i);
             (0..16).filter(|byte| u64::from(*byte) & !numbers == 0).fold(0, |all, byte| all | lane(from, x, byte))
         }),
-        _ => Possible::ALL,
+        Binary::Sub | Binary::Div | Binary::RotateLeft | Binary::MulFloat => Possible::ALL,
     }
 }
