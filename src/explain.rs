@@ -22,7 +22,7 @@ Examples:
   tilewright explain core1 --pass strips
 
 A line shows a value: its name or number, its lanes, its width in bits, how it is computed, and the source line that describes it.
-Each pass works on the result of the passes before it.")]
+Each pass works on the result of the passes before it, except that lower and what follows begin from edge, not from hold.")]
 pub struct Explain {
     /// Name of a block, which `tilewright list blocks` shows, or of a design of `tilewright bench`, such as core1
     #[arg(value_name = "BLOCK", value_parser = Circuits(blocks()), hide_possible_values = true)]
