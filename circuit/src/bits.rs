@@ -312,6 +312,31 @@ impl Bits {
         })
     }
 
+    /// All parts side by side, the first one lowest, in time linear in their bits.
+    ///
+    /// # Panics
+    ///
+    /// There are no parts.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// assert_eq!(Bits::join(&[Bits::new(4, 0xa), Bits::new(8, 0xbc), Bits::new(4, 0xd)]), Bits::new(16, 0xdbca));
+    /// ```
+    #[track_caller]
+    pub fn join(parts: &[Bits]) -> Bits {
+        assert!(!parts.is_empty(), "a value has at least one part");
+        if let [part] = parts {
+            // As it was written.
+            return part.clone();
+        }
+        Bits::filled(parts.iter().map(Bits::width).sum(), |limbs| {
+            parts.iter().fold(0, |at, part| {
+                limbs::copy(limbs, at, part.limbs(), 0, part.width);
+                at + part.width
+            });
+        })
+    }
+
     /// Truncated, or zero-extended, to `width` bits.
     ///
     /// ```
@@ -435,6 +460,8 @@ mod tests {
         assert_eq!(both.width(), 90);
         assert_eq!(both.slice(50..90), high);
         assert_eq!(both.slice(0..50), low);
+        assert_eq!(Bits::join(&[low.clone(), high.clone(), Bits::new(3, 5)]), Bits::new(3, 5).concat(&both));
+        assert_eq!(Bits::join(std::slice::from_ref(&low)), low);
         assert_eq!(format!("{:x}", Bits::new(9, 0x1a5)), "1a5");
     }
 

@@ -251,8 +251,8 @@ impl<'a> Bench<'a> {
 }
 
 /// The values side by side, the first the most significant.
-fn joined(values: impl Iterator<Item = Bits>) -> Bits {
-    values.reduce(|high, low| high.concat(&low)).expect("at least one value")
+fn joined(values: impl DoubleEndedIterator<Item = Bits>) -> Bits {
+    Bits::join(&values.rev().collect::<Vec<_>>())
 }
 
 fn names(ports: &[Port]) -> String {

@@ -26,8 +26,7 @@ pub fn recording(modules: &[Module], steps: u64) -> Recording {
         });
         let (inputs, is_reset) = (inputs.collect::<Vec<_>>(), number == 5 || number == 6);
         let pack = |id: NodeId, values: &[u64]| {
-            let lanes = values.iter().map(|&value| Bits::new(top.width(id), value));
-            lanes.reduce(|low, high| high.concat(&low)).expect("a lane")
+            Bits::join(&values.iter().map(|&value| Bits::new(top.width(id), value)).collect::<Vec<_>>())
         };
         let mut now = Now { modules, module: top, state: &state, inputs: &inputs, known: BTreeMap::new() };
         let outputs = top.outputs.iter().map(|output| {

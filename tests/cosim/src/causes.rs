@@ -161,7 +161,7 @@ impl Subject {
                     let name = format!("{name}{}", index_of(shape, lane));
                     force(now, &name, &value.slice(lane * width..(lane + 1) * width))
                 };
-                (0..shape.lanes()).map(lane).reduce(|low, high| high.concat(&low)).expect("a lane")
+                Bits::join(&(0..shape.lanes()).map(lane).collect::<Vec<_>>())
             });
             if index + 1 < steps.len() && !goes_on(sim) {
                 return None;

@@ -44,8 +44,7 @@ impl Numbers {
         if node.shape.is_plain() || self.draw().is_multiple_of(4) {
             return self.bits(node.width * lanes);
         }
-        let first = self.bits(node.width);
-        (1..lanes).fold(first, |all, _| self.bits(node.width).concat(&all))
+        Bits::join(&(0..lanes).map(|_| self.bits(node.width)).collect::<Vec<_>>())
     }
 }
 

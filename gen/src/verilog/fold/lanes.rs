@@ -153,7 +153,7 @@ impl Fold {
             _ if count == 1 => self.lane(of, axis, 0),
             Op::Unpack { of: inner, axis: same } if same == axis => Same(inner),
             Op::Const(value) if u64::from(self.width(id)) <= WIDEST_VECTOR => {
-                Is(Op::Const((1..count).fold(value.clone(), |all, _| all.concat(&value))))
+                Is(Op::Const(Bits::join(&vec![value; count as usize])))
             }
             Op::Broadcast { of: inner, axis: same } if same == axis => Is(Op::Repeat(inner, count)),
             Op::Stack { parts, axis: same } if same == axis => self.concat(id, parts.into_iter().rev().collect()),

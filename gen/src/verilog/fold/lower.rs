@@ -227,7 +227,7 @@ fn free_name(module: &Module, wanted: &str) -> String {
 }
 
 fn wide_contents(contents: &Contents, width: u32, lanes: u32) -> Contents {
-    let repeated = |word: &Bits| (1..lanes).fold(word.clone(), |all, _| all.concat(word));
+    let repeated = |word: &Bits| Bits::join(&vec![word.clone(); lanes as usize]);
     match contents {
         Contents::Unknown => Contents::Unknown,
         Contents::Fill(word) => Contents::Fill(repeated(word)),
@@ -236,8 +236,8 @@ fn wide_contents(contents: &Contents, width: u32, lanes: u32) -> Contents {
             let count = each.iter().map(Vec::len).max().unwrap_or(0);
             let word = |address| {
                 let words = each.iter().map(|words: &Vec<Bits>| words.get(address).cloned());
-                let words = words.map(|word| word.unwrap_or_else(|| Bits::zero(width)));
-                words.reduce(|low, high| high.concat(&low)).expect("a memory has a lane")
+                let words: Vec<Bits> = words.map(|word| word.unwrap_or_else(|| Bits::zero(width))).collect();
+                Bits::join(&words)
             };
             Contents::Words((0..count).map(word).collect())
         }

@@ -217,7 +217,7 @@ impl Fold {
             Op::Concat(parts) => self.concat(id, parts),
             Op::Repeat(a, 1) => Same(a),
             Op::Repeat(a, times) => match self.constant(a) {
-                Some(value) => Is(Op::Const((1..times).fold(value.clone(), |all, _| all.concat(&value)))),
+                Some(value) => Is(Op::Const(Bits::join(&vec![value; times as usize]))),
                 None => Is(Op::Repeat(a, times)),
             },
             Op::Extend { of, signed } => self.extend(of, signed, width),

@@ -223,9 +223,9 @@ impl Fold {
         if let [part] = parts[..] {
             return Same(part);
         }
-        let values: Option<Vec<Bits>> = parts.iter().map(|&part| self.constant(part)).collect();
-        if let Some(value) = values.and_then(|values| values.into_iter().reduce(|high, low| high.concat(&low))) {
-            return Is(Op::Const(value));
+        let values: Option<Vec<Bits>> = parts.iter().rev().map(|&part| self.constant(part)).collect();
+        if let Some(values) = values {
+            return Is(Op::Const(Bits::join(&values)));
         }
         while parts.len() > MOST_PARTS {
             parts = parts.chunks(MOST_PARTS).map(|parts| self.joined(id, parts)).collect::<Vec<_>>();

@@ -103,8 +103,7 @@ pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
 }
 
 fn in_each_chip(chips: u32, width: u32, byte: u64) -> Bits {
-    let byte = Bits::new(width, byte);
-    (1..chips).fold(byte.clone(), |bytes, _| bytes.concat(&byte))
+    Bits::join(&vec![Bits::new(width, byte); chips as usize])
 }
 
 /// A byte of depth inside an edge, in the bank that the network gets next.

@@ -12,15 +12,14 @@ use crate::engine::start::State;
 impl Compiled {
     /// A word of a memory of the description.
     pub(super) fn word_of_parts(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
-        let mut word: Option<Bits> = None;
+        let mut parts = Vec::new();
         for &Part { of, piece } in &self.parts.memories[memory as usize] {
             for within in 0..piece.lanes {
                 let part = self.stored(of, lane * piece.lanes + within, address);
-                let part = Bits::from_limbs(piece.each(), &part);
-                word = Some(word.map_or(part.clone(), |low| part.concat(&low)));
+                parts.push(Bits::from_limbs(piece.each(), &part));
             }
         }
-        word.expect("a word has a part").limbs().to_vec()
+        Bits::join(&parts).limbs().to_vec()
     }
 
     /// A word of up to 64 bits of a memory of the description. Only wider ones are split.
