@@ -180,5 +180,5 @@ fn bounds([left, top, right, bottom]: [Bits; 4]) -> Bounds<Bits> {
 fn lanes(width: Width, values: impl Iterator<Item = i64>) -> Bits {
     let count = width.shape().lanes() as usize;
     let values = values.take(count).map(|value| Bits::from_i128(width.bits(), value.into()));
-    values.reduce(|low, high| high.concat(&low)).expect("a row has lanes")
+    Bits::join(&values.collect::<Vec<_>>())
 }

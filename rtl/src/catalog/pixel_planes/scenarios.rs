@@ -248,7 +248,7 @@ pub(super) fn a_region(store: &BackingStore) -> Scenario {
     let bit = |high: bool| Bits::new(1, high.into());
     let word = |number: u32| {
         let pixels = (0..store.side * store.side).map(|pixel| bit((pixel + number).is_multiple_of(3)));
-        pixels.reduce(|low, high| high.concat(&low)).expect("a pixel at least")
+        Bits::join(&pixels.collect::<Vec<_>>())
     };
     let save = |claim, plane| Save { claim: bit(claim), region: Bits::new(16, 7), plane: bit(plane) };
     let mut script = Script::new(store, PERIOD);

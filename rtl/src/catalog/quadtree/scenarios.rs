@@ -155,7 +155,7 @@ pub(super) fn a_picture(controller: &VideoController) -> Scenario {
     let blank = (1 << 48) - 1;
     // One of the buffers sends empty words.
     let words = (0..format.matrix().processors()).map(|number| if number == 1 { blank } else { u64::from(number) + 1 });
-    let words = words.map(|word| Bits::new(48, word)).reduce(|low, high| high.concat(&low)).expect("a word at least");
+    let words = Bits::join(&words.map(|word| Bits::new(48, word)).collect::<Vec<_>>());
     let show = |start| Show { start: Bits::new(1, start), clear: yes(), background: Bits::new(24, 0x10_20_30) };
     let mut script = Script::new(controller, DEFAULT_PERIOD);
     script.ready("pixels", true);

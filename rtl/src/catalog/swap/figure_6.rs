@@ -39,8 +39,7 @@ impl Figure<'_> {
     fn clear_and_draw(&mut self, drawing: &Bits, clocks: u64, others: &Inputs) {
         let width = below(self.control.local.patches).bits();
         for entry in 0..u64::from(self.control.local.patches) {
-            let entry = Bits::new(width, entry);
-            let patch = (1..drawing.width()).fold(entry.clone(), |all, _| all.concat(&entry));
+            let patch = Bits::join(&vec![Bits::new(width, entry); drawing.width() as usize]);
             self.script.clock_bits(&SwapControlIn { clears: drawing.clone(), patch, ..others.clone() });
         }
         for _ in 0..clocks {

@@ -119,8 +119,8 @@ proptest! {
                     t.wait((seed >> number) & 1).await;
                     t.set(i.save.plane, 1);
                     t.set(i.number, number);
-                    let bits = words.iter().map(|word| Bits::new(1, word >> number & 1));
-                    t.set(i.word, bits.reduce(|low, high| high.concat(&low)).unwrap());
+                    let bits: Vec<Bits> = words.iter().map(|word| Bits::new(1, word >> number & 1)).collect();
+                    t.set(i.word, Bits::join(&bits));
                     t.step().await;
                     t.set(i.save.plane, 0);
                 }

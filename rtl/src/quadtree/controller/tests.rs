@@ -96,7 +96,7 @@ proptest! {
                     let at = [u64::from(p) * xs[number] + column, u64::from(q) * ys[number] + row];
                     *word_of = Bits::new(48, word(at[0], at[1]));
                 }
-                t.set(i.words, words.iter().cloned().reduce(|low, high| high.concat(&low)).unwrap());
+                t.set(i.words, Bits::join(&words));
             }
         };
         t.set(i.show.background, 0x10_20_30);
